@@ -284,7 +284,7 @@ void add_check_solver(const Command& command, Invocation& invocation) {
     for (const CheckLine& line : lines) {
       constexpr std::size_t length_of_state = 8;
       const std::string text = wrapped(fmt::format("{}{}{}", line.what, line.seen.empty() ? "" : ": ", line.seen),
-                                       text_width() - length_of_state);
+                                       terminal_width() - length_of_state);
       fmt::print("{}{}\n", line.passed ? "ok      " : "FAILED  ", text);
     }
   });

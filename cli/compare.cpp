@@ -42,11 +42,11 @@ double margin_from(const std::string& text, const char* option = "--margin") {
   return share;
 }
 
-struct Source {
+struct StudyInStore {
   results::Store store;
   results::StoredStudy entry;
 
-  Source(const std::string& file, const std::string& name)
+  StudyInStore(const std::string& file, const std::string& name)
       : store(file, results::Store::Mode::read), entry(store.study(name)) {}
 
   std::vector<std::string> labels() const { return labels_of(entry); }
@@ -58,7 +58,7 @@ struct Source {
   StudyResults study(const CompareArguments& arguments, const std::string& label = "") const {
     results::StoredStudy part = entry;
     if (!label.empty()) std::erase_if(part.series, [&](const results::Series& its) { return its.label != label; });
-    StudyResults study = checked_study(store, part);
+    StudyResults study = read_checked(store, part);
     if (!arguments.margin.empty()) study.definition.plan.margin = margin_from(arguments.margin);
     return study;
   }
@@ -66,8 +66,9 @@ struct Source {
 
 // The gates of all labels that both stores have, since the p of each pair counts them all: first those that are asked
 // for. One of the others that cannot be compared, as it lacks solves, has no pair.
-std::vector<RegressionCheck> gates_of(const Source& a, const Source& b, const std::vector<std::string>& asked,
-                                      const CompareArguments& arguments, const GateOptions& options) {
+std::vector<RegressionCheck> gates_of(const StudyInStore& a, const StudyInStore& b,
+                                      const std::vector<std::string>& asked, const CompareArguments& arguments,
+                                      const GateOptions& options) {
   std::vector<RegressionCheck> all;
   for (const std::string& label : asked)
     all.push_back(gate(a.study(arguments, label), b.study(arguments, label), options));
@@ -87,14 +88,14 @@ std::vector<RegressionCheck> compare_all(const CompareArguments& arguments) {
   GateOptions options{.metrics = arguments.metrics};
   if (!arguments.time_margin.empty()) options.time_margin = margin_from(arguments.time_margin, "--time-margin");
   if (!arguments.store.empty()) {
-    const Source both(arguments.store, arguments.study);
+    const StudyInStore both(arguments.store, arguments.study);
     if (arguments.a == arguments.b) throw std::invalid_argument("A and B are the same label; expected two");
     for (const std::string& label : {arguments.a, arguments.b}) both.refuse_unknown(label);
     all.push_back(gate(both.study(arguments), arguments.b, arguments.a, options));
     decide(all);
     return all;
   }
-  const Source a(arguments.a, arguments.study), b(arguments.b, arguments.study);
+  const StudyInStore a(arguments.a, arguments.study), b(arguments.b, arguments.study);
   if (arguments.study.empty() && a.entry.name != b.entry.name)
     throw std::invalid_argument(
         fmt::format("the first study of A is {}, of B {}; expected one name for both: --study NAME if both stores have "
@@ -123,9 +124,9 @@ std::vector<RegressionCheck> compare_all(const CompareArguments& arguments) {
   return all;
 }
 
-std::string why_open(const show::Answer& answer, const JudgedMetric& judged) {
+std::string not_tested_text(const show::Answer& answer, const JudgedMetric& judged) {
   const auto* const open = std::get_if<NotTested>(&judged.findings.front().what);
-  if (open != nullptr) return show::reason_of(*open, show::noun_of(answer, judged));
+  if (open != nullptr) return show::reason_text(*open, show::observation_noun(answer, judged));
   return fmt::format("neither has {} any {}", judged.observations.quantity, answer.noun);
 }
 
@@ -136,7 +137,7 @@ std::string verdict_of(const RegressionCheck& gate, const show::Answer& answer) 
   const std::string& baseline = gate.baseline;
   if (!gate.is_compared)
     return fmt::format("{} is not compared with {}: {}.", candidate, baseline,
-                       why_open(answer, gate.judged.metrics[gate.judged.deciding]));
+                       not_tested_text(answer, gate.judged.metrics[gate.judged.deciding]));
   std::vector<std::string> parts;
   const bool is_worse = !gate.worse.empty(), is_open = !gate.inconclusive.empty() || !gate.not_tested.empty(),
              is_within = !gate.worse_below_margin.empty();
@@ -155,10 +156,10 @@ std::string verdict_of(const RegressionCheck& gate, const show::Answer& answer) 
   if (!gate.worse_below_margin.empty())
     text += fmt::format(" Worse by less than the margin: {}.", show::listed(gate.worse_below_margin));
   if (!gate.inconclusive.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.inconclusive));
-  show::ByWord untested;  // by why
+  show::NamesByPhrase untested;  // by why
   for (const JudgedMetric& judged : gate.judged.metrics) {
     const std::string& quantity = judged.observations.quantity;
-    if (std::ranges::count(gate.not_tested, quantity) > 0) untested.add(why_open(answer, judged), quantity);
+    if (std::ranges::count(gate.not_tested, quantity) > 0) untested.add(not_tested_text(answer, judged), quantity);
   }
   if (!untested.all.empty()) text += fmt::format(" Not tested: {}.", fmt::join(untested.told("{1} ({0})"), "; "));
   std::vector<std::string> others;
@@ -166,16 +167,16 @@ std::string verdict_of(const RegressionCheck& gate, const show::Answer& answer) 
   if (!gate.also_better.empty()) others.push_back("better in " + show::listed(gate.also_better));
   const char* const why = gate.options.metrics.empty() ? "Not in the plan" : "Not asked for";
   if (!others.empty()) text += fmt::format(" {}: {}.", why, fmt::join(others, "; "));
-  const std::vector<show::Question> questions = show::questions_of(answer);
+  const std::vector<show::Question> questions = show::headline_questions(answer);
   const bool is_then_of_times =
       questions.size() > 1 && questions.back().of->observations.measures == QuantityKind::time;
   if (gate.label.empty() && !gate.do_times_decide() && is_then_of_times)
-    text += " Times decide nothing here. " + show::second_sentence(answer);
+    text += " Times decide nothing here. " + show::tie_breaker_sentence(answer);
   return text;
 }
 
 // "Lost: run 57; won: none; the other 199 are the same to the bit."
-std::string targets_of(const RegressionCheck& gate) {
+std::string changed_targets_text(const RegressionCheck& gate) {
   constexpr std::size_t most = 10;
   const std::size_t changed = gate.lost.size() + gate.won.size();
   if (changed == 0) return "";
@@ -217,7 +218,7 @@ show::Answer answer_of(const RegressionCheck& gate) {
 }
 
 // What all labels that differ have in common; empty if none does.
-std::string note_of(const std::vector<RegressionCheck>& all) {
+std::string gate_note(const std::vector<RegressionCheck>& all) {
   if (std::ranges::none_of(all, is_told)) return "";
   const JudgedStudy& judged = all.front().judged;
   const auto time = std::ranges::find_if(judged.metrics, [](const JudgedMetric& its) {
@@ -227,7 +228,7 @@ std::string note_of(const std::vector<RegressionCheck>& all) {
   const std::string times = !do_times_decide ? "do not count in the exit code"
                             : time == judged.metrics.end()
                                 ? "are not known"
-                                : fmt::format("decide by a margin of {}", show::margin_words(*time));
+                                : fmt::format("decide by a margin of {}", show::margin_text(*time));
   const bool are_of_stores = !all.front().label.empty();
   const std::size_t metrics = names_in_plan(judged.study.definition).size();
   return fmt::format("p is multiplied by the number of pairs tested of {}{}. Times {}{}.",
@@ -239,11 +240,12 @@ std::string note_of(const std::vector<RegressionCheck>& all) {
 std::string screen_of(const std::vector<RegressionCheck>& all) {
   std::string text;
   for (const RegressionCheck& gate : all) {
-    const std::string targets = targets_of(gate);
+    const std::string targets = changed_targets_text(gate);
     text +=
         is_told(gate) ? show::screen(answer_of(gate)) + (targets.empty() ? "" : wrapped(targets) + '\n') + '\n' : "";
   }
-  for (const std::string& last : {note_of(all), verdict_of_same(all)}) text += last.empty() ? "" : wrapped(last) + '\n';
+  for (const std::string& last : {gate_note(all), verdict_of_same(all)})
+    text += last.empty() ? "" : wrapped(last) + '\n';
   return text;
 }
 
@@ -292,15 +294,15 @@ std::string markdown_of(const std::vector<RegressionCheck>& all) {
   for (const RegressionCheck& gate : all) {
     if (!is_told(gate)) continue;
     const show::Answer answer = answer_of(gate);
-    std::vector<std::string> sentences{targets_of(gate)};
-    for (const Doubt& doubt : answer.all_doubts()) sentences.push_back(show::warning_of(doubt));
+    std::vector<std::string> sentences{changed_targets_text(gate)};
+    for (const Doubt& doubt : answer.all_warnings()) sentences.push_back(show::warning_sentence(doubt));
     std::erase(sentences, "");
     text += fmt::format("**{}**\n\n{}\n{}\n{}\n\n", show::markdown_text(answer.verdict),
                         show::to_markdown(show::results_table(answer)), show::to_markdown(show::pairs_table(answer)),
                         show::markdown_text(fmt::format("{}", fmt::join(sentences, " "))));
   }
   const std::string same = show::markdown_text(verdict_of_same(all));
-  std::vector<std::string> last{show::markdown_text(note_of(all)), same.empty() ? "" : fmt::format("**{}**", same)};
+  std::vector<std::string> last{show::markdown_text(gate_note(all)), same.empty() ? "" : fmt::format("**{}**", same)};
   std::erase(last, "");
   return text + fmt::format("{}\n", fmt::join(last, "\n\n"));
 }

@@ -104,7 +104,7 @@ void say_mistake(std::string_view text) { say(fmt::format("ikbench: {}", text));
 
 void say_command(std::string_view command) { write_error(fmt::format("    {}\n", printable(command))); }
 
-std::size_t text_width() { return columns_of(STDOUT_FILENO); }
+std::size_t terminal_width() { return columns_of(STDOUT_FILENO); }
 
 std::string wrapped(std::string_view text, std::size_t width) {
   constexpr std::size_t indent = 2;
@@ -204,7 +204,7 @@ void ProgressBar::show(const Progress& progress) {
   if (const std::string text = text_at(Clock::now(), progress); !text.empty()) write_error(text);
 }
 
-std::filesystem::path folder_for(std::string_view study, const std::string& out) {
+std::filesystem::path output_folder(std::string_view study, const std::string& out) {
   if (!out.empty()) return out;
   constexpr std::size_t longest = 100;
   std::string name(base::front(base::one_line(study), longest));

@@ -34,9 +34,9 @@ void say_mistake(std::string_view text);  // says "ikbench: " and the text: what
 void say_command(std::string_view command);
 
 // Columns of standard output: those of the terminal, but at most 100; 100 where it is no terminal.
-std::size_t text_width();
+std::size_t terminal_width();
 // Printable text whose lines break between words; further lines are indented. Longer words stay whole.
-std::string wrapped(std::string_view text, std::size_t width = text_width());
+std::string wrapped(std::string_view text, std::size_t width = terminal_width());
 
 // A program and its arguments as a shell would take them again.
 std::string shell_command(std::string_view program, const std::vector<std::string>& arguments);
@@ -44,7 +44,7 @@ std::string shell_command(std::string_view program, const std::vector<std::strin
 using Rows = std::vector<std::vector<std::string>>;
 // Pads columns to their widest cell; the first row is the head. If the rows are wider than `width`, the words of the
 // widest columns are wrapped.
-std::string aligned(Rows rows, std::size_t width = text_width());
+std::string aligned(Rows rows, std::size_t width = terminal_width());
 
 // While it lives, a thread waits for SIGINT, SIGTERM and SIGHUP (unless started by nohup), so their handling may use
 // any function. They end the program with a sentence and 128 + the number of the signal, and remove scratch folders;
@@ -94,6 +94,6 @@ class ProgressBar : boost::noncopyable {
 };
 
 // `out`, or if it is empty out/<name>, where '_' replaces all of ASCII but letters, digits, '-', '_' and '.'.
-std::filesystem::path folder_for(std::string_view study, const std::string& out);
+std::filesystem::path output_folder(std::string_view study, const std::string& out);
 
 }  // namespace ikbench::cli

@@ -28,7 +28,7 @@ using namespace solvers;
 
 namespace {
 
-std::string cited_for(std::string_view name) { return fmt::format("{}", fmt::join(references_of(name), ", ")); }
+std::string cited_for(std::string_view name) { return fmt::format("{}", fmt::join(citation_keys_of(name), ", ")); }
 
 std::string solver_details(std::string_view name) {
   const SolverInfo& info = solver(solver_named(std::string(name)));
@@ -98,7 +98,7 @@ Rows list_of(std::string_view kind) {
 }
 
 std::string listed(const std::string& kind, const std::string& name) {
-  if (kind == "figures" && name.empty()) return list_of_figures();
+  if (kind == "figures" && name.empty()) return figure_list_text();
   if (name.empty()) return aligned(list_of(kind));
   if (kind == "solvers") return solver_details(name);
   if (kind == "studies") return study_details(name);

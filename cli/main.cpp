@@ -39,7 +39,7 @@ using namespace ikbench::base;
 class Help : public CLI::Formatter {
  public:
   std::string make_option_desc(const CLI::Option* option) const override {
-    const std::size_t width = cli::text_width() - get_column_width();
+    const std::size_t width = cli::terminal_width() - get_column_width();
     return fmt::format("{}", fmt::join(ikbench::show::broken(option->get_description(), width, width), "\n"));
   }
   std::string make_footer(const CLI::App* app) const override {

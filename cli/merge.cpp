@@ -25,11 +25,11 @@ namespace fs = std::filesystem;
 std::vector<fs::path> stores_in(const fs::path& place) {
   std::error_code error;
   if (!fs::is_directory(place, error)) return {place};  // opening it says what is wrong
-  if (fs::exists(store_in(place), error)) return {store_in(place)};
+  if (fs::exists(store_path(place), error)) return {store_path(place)};
   std::vector<fs::path> stores;
   for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
     std::error_code unknown;  // of a store that cannot be looked at, opening it says why
-    if (fs::exists(store_in(entry->path()), unknown) || unknown) stores.push_back(store_in(entry->path()));
+    if (fs::exists(store_path(entry->path()), unknown) || unknown) stores.push_back(store_path(entry->path()));
   }
   if (error) base::refuse_place("read", place, error.value());
   if (stores.empty())
@@ -64,7 +64,7 @@ void add_merge(const Command& command, Invocation& invocation) {
       arguments->places.erase(arguments->places.begin());
     }
     if (arguments->places.empty()) throw std::invalid_argument("nothing to merge; expected merge OUT IN ...");
-    const fs::path out = store_in(arguments->out);
+    const fs::path out = store_path(arguments->out);
     std::vector<fs::path> stores;
     for (const std::string& place : arguments->places) std::ranges::copy(stores_in(place), std::back_inserter(stores));
     const Merged merged = [&] {

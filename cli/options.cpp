@@ -55,7 +55,7 @@ Option Option::whole_number(std::pair<std::int64_t, std::int64_t> range) const {
     return fmt::format("{} is not a whole number from {} to {}, without zeros before it", text.substr(0, 100),
                        range.first, range.second);
   };
-  const std::string name = range.second < largest_whole ? fmt::format("{} to {}", range.first, range.second) : "";
+  const std::string name = range.second < max_whole_number ? fmt::format("{} to {}", range.first, range.second) : "";
   return {in_cli11->check(mistake, name)};
 }
 

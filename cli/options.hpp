@@ -26,7 +26,7 @@ struct Invocation {
   int exit_code = 0;
 };
 
-constexpr std::int64_t largest_whole = 999'999'999'999'999'999;
+constexpr std::int64_t max_whole_number = 999'999'999'999'999'999;
 
 // What else is to be said of an option, or of an argument without a name.
 struct Option {
@@ -40,7 +40,7 @@ struct Option {
   Option number_in(std::pair<double, double> range) const;
   // In the range and written in decimal digits only: CLI11 alone reads 010 as 8 and takes what is too large for the
   // largest.
-  Option whole_number(std::pair<std::int64_t, std::int64_t> range = {0, largest_whole}) const;
+  Option whole_number(std::pair<std::int64_t, std::int64_t> range = {0, max_whole_number}) const;
 
   CLI::Option* in_cli11;
 };

@@ -36,7 +36,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
     for (const results::Series& series : entry.series)
       if (!keys.insert(series.key).second)
         throw std::invalid_argument(file + ": an earlier store has the same " + series.label + "; leave it out");
-    const judge::JudgedStudy judged = judge::judge(checked_study(store, entry));
+    const judge::JudgedStudy judged = judge::judge(read_checked(store, entry));
     names.push_back(entry.name);
     arms.push_back(judged.study.definition.robot);
     folders.push_back(std::filesystem::path(file).parent_path().filename());
@@ -52,7 +52,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   if (files.size() > 6 && std::ranges::count(table.columns, table.columns.back().unit, unit) == std::ssize(files))
     table = show::with_a_row_a_study(table);
   const std::filesystem::path folder = out;
-  show::claim(folder, show::files_of({table.name}, {}));
+  show::claim(folder, show::report_files({table.name}, {}));
   show::write_table(table, table, folder / "tables", program_name());
   fmt::print("{}Table: {}.*\n", printable(show::to_text(table)), printable((folder / "tables" / table.name).string()));
 }
@@ -85,7 +85,7 @@ void add_report(const Command& command, Invocation&) {
     const Store store(file, Store::Mode::read);
     const StoredStudy study = store.study(arguments->study);
     write_and_announce(store, study, folder.empty() ? "." : folder, arguments->report,
-                       beside_of(study, arguments->report));
+                       imported_results(study, arguments->report));
   });
 }
 

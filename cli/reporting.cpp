@@ -40,7 +40,7 @@ using figures::is_meant;
 // Before anything is solved; a study may lack a figure that others have.
 void refuse_unknown_figures(const std::vector<std::string>& names) {
   std::vector<std::string> all;
-  for (const auto& [name, meaning] : show::all_figures()) all.push_back(name);
+  for (const auto& [name, meaning] : show::figure_list()) all.push_back(name);
   for (const std::string& name : names)
     if (std::ranges::none_of(all, [&](const auto& figure) { return is_meant(figure, name) || is_meant(name, figure); }))
       throw std::invalid_argument(unknown_name("figure", name, all));
@@ -100,9 +100,9 @@ void add_report_options(const Command& command, ReportArguments& arguments, bool
   add_json_option(command, arguments.is_json);
 }
 
-std::string list_of_figures() {
+std::string figure_list_text() {
   Rows rows{{"FIGURE", "OF"}};
-  for (const auto& [name, meaning] : show::all_figures()) rows.push_back({name, meaning});
+  for (const auto& [name, meaning] : show::figure_list()) rows.push_back({name, meaning});
   return aligned(rows) + fmt::format("\nStyles (--style): {}\n", fmt::join(shipped_styles(), ", ")) +
          "\nKeys of [figures] in a study, or of a file (--style FILE)\n" + to_toml(FigureStyle()) +
          "\n[words.FIGURE]  # of a file, with x, y and caption: what its axes and its caption say\n";
@@ -132,7 +132,7 @@ std::vector<std::string> labels_of(const StoredStudy& stored) {
   return labels;
 }
 
-std::vector<std::string> references_of(std::string_view name) {
+std::vector<std::string> citation_keys_of(std::string_view name) {
   std::vector<std::string> keys;
   std::istringstream lines{std::string(references[0].text)};
   for (std::string line, key; std::getline(lines, line);) {
@@ -151,7 +151,7 @@ void announce(show::Report reported, const std::filesystem::path& folder, const 
   for (const Series& series : reported.study.series)
     names.insert({series.algorithm, reported.study.definition.robot, reported.study.definition.published});
   names.erase("");
-  for (const std::string& name : names) std::ranges::copy(references_of(name), std::inserter(keys, keys.end()));
+  for (const std::string& name : names) std::ranges::copy(citation_keys_of(name), std::inserter(keys, keys.end()));
   reported.keys.assign(keys.begin(), keys.end());
   reported.references = references[0].text;
   std::optional<ProgressBar> bar(std::in_place, "drawing", "figures");
@@ -185,25 +185,25 @@ bool write_and_announce(const Store& store, const StoredStudy& study, const std:
                         const ReportArguments& arguments, const std::optional<judge::StudyResults>& beside) {
   const FigureStyle style =
       styled(study.definition.figures, labels_of(study), arguments);  // refuses before the study is read
-  judge::StudyResults solved = exported_study(store, study, folder);
+  judge::StudyResults solved = read_and_export(store, study, folder);
   const bool are_silent = tell_silent(solved, arguments.is_json);
   if (beside) judge::add_imported(solved, *beside);
   judge::JudgedStudy judged = judge::judge(std::move(solved));
   const figures::Look look = figures::look_of(judged, style);
   std::vector<figures::Figure> pictures = figures::of_study(judged, look);
-  announce(show::report_of(std::move(judged), std::move(pictures)), folder, arguments, look.style);
+  announce(show::make_report(std::move(judged), std::move(pictures)), folder, arguments, look.style);
   return are_silent;
 }
 
 bool show_answer(const Store& store, const StoredStudy& study, const std::optional<judge::StudyResults>& beside) {
-  judge::StudyResults solved = checked_study(store, study);
+  judge::StudyResults solved = read_checked(store, study);
   const bool are_silent = tell_silent(solved, true);
   if (beside) judge::add_imported(solved, *beside);
-  show_json(show::to_json(show::report_of(judge::judge(std::move(solved)), {}).answer));
+  show_json(show::to_json(show::make_report(judge::judge(std::move(solved)), {}).answer));
   return are_silent;
 }
 
-std::optional<judge::StudyResults> beside_of(const StoredStudy& study, const ReportArguments& arguments) {
+std::optional<judge::StudyResults> imported_results(const StoredStudy& study, const ReportArguments& arguments) {
   if (arguments.beside.empty()) return {};
   judge::StudyResults theirs;
   if (arguments.beside == judge::archive_name) {
@@ -218,7 +218,7 @@ std::optional<judge::StudyResults> beside_of(const StoredStudy& study, const Rep
   } else {
     const Store store(arguments.beside, Store::Mode::read);
     const std::vector<StoredStudy> named = store.studies(study.name);
-    theirs = checked_study(store, named.empty() ? store.study("") : named.front());
+    theirs = read_checked(store, named.empty() ? store.study("") : named.front());
     const std::string began = theirs.sessions.empty() ? "" : theirs.sessions.front().began;
     theirs.beside.of = "in " + arguments.beside +
                        (began.size() < 7 ? "" : fmt::format(", {}/{}", began.substr(5, 2), began.substr(0, 4)));
@@ -227,7 +227,7 @@ std::optional<judge::StudyResults> beside_of(const StoredStudy& study, const Rep
   return theirs;
 }
 
-judge::StudyResults checked_study(const Store& store, const StoredStudy& entry, const TakeSolve& also) {
+judge::StudyResults read_checked(const Store& store, const StoredStudy& entry, const TakeSolve& also) {
   judge::StudyResults study = judge::read_study(store, entry, [&, check = recheck_of(entry)](const SolveRecord& solve) {
     check(solve);
     if (also) also(solve);
@@ -238,9 +238,9 @@ judge::StudyResults checked_study(const Store& store, const StoredStudy& entry, 
   return study;
 }
 
-judge::StudyResults exported_study(const Store& store, const StoredStudy& entry, const std::filesystem::path& folder) {
+judge::StudyResults read_and_export(const Store& store, const StoredStudy& entry, const std::filesystem::path& folder) {
   judge::StudyResults study;
-  const auto pass = [&](const TakeSolve& take) { study = checked_study(store, entry, take); };
+  const auto pass = [&](const TakeSolve& take) { study = read_checked(store, entry, take); };
   write_file(folder / "solves.csv", [&](const Write& write) {
     write_csv(pass, write, store.names_of_extras(entry));
     show::claim(folder, {"solves.csv"});  // now that all solves are read, and before it has its name

@@ -147,10 +147,10 @@ CsvTable programs_of(const Paper& paper, const std::filesystem::path& folder, st
 // What only its companions doubt.
 std::vector<std::string> warnings_of(const papers::Repeated& repeated, const show::Answer& own) {
   std::vector<std::string> told;
-  for (const judge::Doubt& doubt : own.all_doubts()) told.push_back(words_of(doubt));
-  show::ByWord doubts;
+  for (const judge::Doubt& doubt : own.all_warnings()) told.push_back(words_of(doubt));
+  show::NamesByPhrase doubts;
   for (const judge::JudgedStudy& companion : repeated.studies.subspan(1))
-    for (const judge::Doubt& doubt : show::answer_of(companion).all_doubts())
+    for (const judge::Doubt& doubt : show::answer_of(companion).all_warnings())
       if (std::ranges::count(told, words_of(doubt)) == 0) doubts.add(words_of(doubt), companion.study.name);
   return doubts.told("{1}: {0}.");
 }
@@ -191,9 +191,9 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
   const bool is_slim2023 = paper.name == "slim2023", has_arms = paper.rates.is_of_arms();
   const figures::Look look =
       is_slim2023 ? figures::look_of(all.front().study.series, style) : figures::look_of(all.front(), style);
-  show::Report reported = show::report_of(all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look)
-                                                       : has_arms  ? std::vector<figures::Figure>()
-                                                                   : figures::of_study(all.front(), look));
+  show::Report reported = show::make_report(all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look)
+                                                         : has_arms  ? std::vector<figures::Figure>()
+                                                                     : figures::of_study(all.front(), look));
   reported.has_own_numbers = is_slim2023 || has_arms;
   reported.warnings = warnings_of(repeated, reported.answer);
   if (is_slim2023) add_slim2023(reported, repeated, look, style);
@@ -213,7 +213,7 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
     reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.table});
   announce(reported, folder, arguments.report, look.style,
            fmt::format("{}{}\n", papers::screen(sentences, means, claims),
-                       fingerprints_of(Store(store_in(folder), Store::Mode::read), all, studies_of(paper, {}))));
+                       fingerprints_of(Store(store_path(folder), Store::Mode::read), all, studies_of(paper, {}))));
 }
 
 }  // namespace
@@ -245,14 +245,14 @@ void add_reproduce(const Command& command, Invocation& invocation) {
     if (command.was_given("--readings") && arguments->seeds > 0 && dimensions(paper.name).empty())
       throw std::invalid_argument(
           fmt::format("--readings: the program has no open questions of {}; leave it out", paper.name));
-    const std::filesystem::path folder = folder_for(paper.studies.front(), arguments->run.out);
+    const std::filesystem::path folder = output_folder(paper.studies.front(), arguments->run.out);
     std::vector<judge::JudgedStudy> judged;
     for (const Study& study : studies_of(paper, *arguments)) {
       const StoredStudy stored = stored_study(study);
       run_study(study, stored, folder, {.jobs = arguments->run.jobs, .command = invocation.command});
-      const Store store(store_in(folder), Store::Mode::read);
+      const Store store(store_path(folder), Store::Mode::read);
       const bool is_first = judged.empty();
-      judged.push_back(judge::judge(is_first ? exported_study(store, stored, folder) : checked_study(store, stored)));
+      judged.push_back(judge::judge(is_first ? read_and_export(store, stored, folder) : read_checked(store, stored)));
     }
     report(judged, paper, *arguments, folder, judged_readings(*arguments, paper));
   });

@@ -121,17 +121,17 @@ void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
     throw std::invalid_argument(fmt::format("--shard {}: {} has only {} to share out, so give at most that many shards",
                                             shard.text(), study.name,
                                             base::counted(parts, study.is_chained() ? "runs" : "targets")));
-  std::filesystem::path folder = folder_for(study.name, arguments.run.out);
+  std::filesystem::path folder = output_folder(study.name, arguments.run.out);
   if (arguments.run.out.empty() && is_part)
     folder = folder / "shards" / fmt::format("{}-of-{}", shard.index, shard.count);
   const StoredStudy stored = stored_study(study);
-  const auto beside = beside_of(stored, arguments.report);
+  const auto beside = imported_results(stored, arguments.report);
   const std::string solved =
       run_study(study, stored, folder, {.jobs = arguments.run.jobs, .command = invocation.command, .shard = shard},
                 is_part ? Store::Mode::write_shared : Store::Mode::write);
   if (!has_report && !arguments.report.is_json) fmt::print("{}\n", wrapped(solved));
   if (is_part || (!has_report && !arguments.report.is_json)) return;
-  const Store store(store_in(folder), Store::Mode::read);
+  const Store store(store_path(folder), Store::Mode::read);
   const bool are_silent = has_report ? write_and_announce(store, stored, folder, arguments.report, beside)
                                      : show_answer(store, stored, beside);
   if (are_silent) invocation.exit_code = 3;

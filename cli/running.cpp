@@ -47,7 +47,7 @@ void add_run_options(const Command& command, RunArguments& arguments) {
       .whole_number({1, 1024});
 }
 
-std::filesystem::path store_in(const std::filesystem::path& folder) { return folder / "store.sqlite"; }
+std::filesystem::path store_path(const std::filesystem::path& folder) { return folder / "store.sqlite"; }
 
 std::string run_study(const Study& study, const StoredStudy& stored, const std::filesystem::path& folder,
                       RunRequest request, Store::Mode mode) {
@@ -59,7 +59,7 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
   }
   // A transaction for each solve would cost more than many a solve; in a shared store each waits for the disk.
   request.patience = std::chrono::milliseconds(mode == Store::Mode::write_shared ? 1000 : 20);
-  Store store(store_in(folder), mode);
+  Store store(store_path(folder), mode);
   for (const StoredStudy& earlier : store.studies(study.name)) {
     const std::string difference = difference_in_solves(earlier.definition.json, stored.definition.json);
     if (!difference.empty())
@@ -88,20 +88,20 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
         files[0].string(), files[1].string()));
   const auto may_meddle = [](const SolverEntry& entry) { return entry.program != nullptr; };
   if (study.checker || std::ranges::any_of(study.solvers, may_meddle)) {  // a program can write where its user can
-    const std::int64_t there = Store(store_in(folder), Store::Mode::read).number_of_solves(stored);
+    const std::int64_t there = Store(store_path(folder), Store::Mode::read).number_of_solves(stored);
     if (there < progress.done)
       throw std::runtime_error(fmt::format(
           "{} has {} of the {} solves: one of the programs or somebody else changed it; run the same command again",
-          store_in(folder).string(), there, progress.done));
+          store_path(folder).string(), there, progress.done));
   }
   if (is_cancelled) {
     say(fmt::format("Stopped: {} of {} solves are kept in {}; run the same command again to continue.", progress.done,
-                    progress.total, store_in(folder).string()));
+                    progress.total, store_path(folder).string()));
     throw Cancelled();
   }
   return fmt::format("{}{}: {} in {}{}", study.name,
                      request.shard.count == 1 ? "" : fmt::format(", shard {}", request.shard.text()),
-                     counted(progress.total, "solves"), store_in(folder).string(),
+                     counted(progress.total, "solves"), store_path(folder).string(),
                      progress.reused == 0 ? "" : fmt::format(" ({} were already stored)", progress.reused));
 }
 

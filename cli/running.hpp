@@ -24,6 +24,6 @@ std::string run_study(const experiments::Study& study, const results::StoredStud
                       const std::filesystem::path& folder, experiments::RunRequest request,
                       results::Store::Mode mode = results::Store::Mode::write);
 
-std::filesystem::path store_in(const std::filesystem::path& folder);
+std::filesystem::path store_path(const std::filesystem::path& folder);
 
 }  // namespace ikbench::cli

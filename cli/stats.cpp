@@ -96,7 +96,7 @@ void stats(const StatsArguments& arguments) {
   show::Report reported = judged(arguments, style);
   if (!arguments.out.empty()) return announce(std::move(reported), arguments.out, arguments.report, style);
   if (arguments.report.is_json) return show_json(show::to_json(reported.answer));
-  if (reported.answer.decisive().findings.size() > show::most_pairs)
+  if (reported.answer.decisive().findings.size() > show::max_pairs)
     reported.answer.notes.emplace_back("--out FOLDER writes a report with all pairs.");
   fmt::print("{}", printable(show::screen(reported.answer, "")));
 }

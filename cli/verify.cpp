@@ -92,7 +92,7 @@ void add_verify(const Command& command, Invocation& invocation) {
     const Store store(arguments->store, Store::Mode::read);
     const StoredStudy study = store.study(arguments->study);
     const TakeSolve redraw = redraw_of(study);
-    const auto all = checked_study(store, study, redraw).solves.size();
+    const auto all = read_checked(store, study, redraw).solves.size();
     const std::string line = fingerprint_line(store, study), seal = said_of_seal(store, arguments->seal, study, line);
     std::optional<ProgressBar> bar("solving again");
     const SolvedAgain again =

@@ -27,7 +27,7 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
                     .caption = are_ours ? "What the paper does not say" : "What the paper says",
                     .columns = show::columns_of({"claim", "verdict", "number", "in readings", "remark"}),
                     .is_of_study = false};
-  table.columns.back().role = show::Role::remark;
+  table.columns.back().role = show::ColumnRole::remark;
   const auto in_readings = [&](const InReadings& of) {
     if (of.all() > 0) return fmt::format("{} hold, {} fail, {} open", of.hold, of.fail, of.open);
     return std::string(std::ranges::any_of(claims, is_counted) ? "not counted" : "");
@@ -37,7 +37,7 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
     const show::Tone tone = claim.holds == Holds::holds   ? show::Tone::good
                             : claim.holds == Holds::fails ? show::Tone::bad
                                                           : show::Tone::neutral;
-    table.rows.push_back({claim.sentence, show::Judgement{std::string(name_of(claim.holds)), tone},
+    table.rows.push_back({claim.sentence, show::VerdictCell{std::string(name_of(claim.holds)), tone},
                           show::text_cell(claim.number), in_readings(claim.in_readings),
                           claim.section + std::string(between) + claim.evidence});
   }

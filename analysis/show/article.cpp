@@ -25,7 +25,7 @@ namespace {
 
 // "DLS against PSO: better, A12 = 0.75, p = 0.0469"
 std::string told(const Comparison& its, const JudgedMetric& judged) {
-  std::string text = fmt::format("{} against {}: {}", its.first, its.second, verdict_words(its, judged));
+  std::string text = fmt::format("{} against {}: {}", its.first, its.second, comparison_text(its, judged));
   const auto* const tested = std::get_if<TestResult>(&its.what);
   if (tested && tested->g)
     text += fmt::format(", {} = {}", judged.observations.is_paired ? "g_av" : "g", number_text(*tested->g));
@@ -44,7 +44,7 @@ std::string pairs_of(const Answer& answer, const JudgedMetric& judged) {
   for (const Comparison& its : judged.findings) {
     const Verdict verdict = verdict_of(its);
     ++counts[is_difference(verdict) ? "decided" : judge::name_of(verdict)];
-    if (judged.findings.size() <= most_pairs) parts.push_back(told(its, judged));
+    if (judged.findings.size() <= max_pairs) parts.push_back(told(its, judged));
     if (const auto* const tested = std::get_if<TestResult>(&its.what))
       tests.insert(std::string(tested->test)), sizes.insert(tested->n);
   }
@@ -55,18 +55,18 @@ std::string pairs_of(const Answer& answer, const JudgedMetric& judged) {
   const std::string by = sizes.empty() ? ""
                                        : fmt::format(", by {} (n = {}{})", listed({tests.begin(), tests.end()}),
                                                      sizes.size() == 1 ? "" : fmt::format("{} to ", *sizes.begin()),
-                                                     base::counted(*sizes.rbegin(), noun_of(answer, judged)));
+                                                     base::counted(*sizes.rbegin(), observation_noun(answer, judged)));
   const std::string text = fmt::format("{}{}: {}.", judged.observations.quantity, by, fmt::join(parts, "; "));
   return answer.direction.empty() ? as_sentence(text) : text;  // else its name is the user's
 }
 
 }  // namespace
 
-Table for_article(const Table& whole, const Report& report) {
+Table article_table(const Table& whole, const Report& report) {
   Table table = whole;
   if (table.told > 0 && table.told < table.rows.size()) table.rows.resize(table.told);
   const std::string& name = report.study.name;
-  if (!name.empty()) table.name = fmt::format("{}-{}", id_of(name), table.name);
+  if (!name.empty()) table.name = fmt::format("{}-{}", anchor_id(name), table.name);
   if (table.is_of_study && !name.empty())
     table.caption += fmt::format(
         "{} {}", table.caption.ends_with('?') ? "" : ".",
@@ -74,11 +74,11 @@ Table for_article(const Table& whole, const Report& report) {
   return table;
 }
 
-std::string methods_of(const Report& report, const std::string& program) {
+std::string methods_paragraph(const Report& report, const std::string& program) {
   const Answer& answer = report.answer;
   const bool is_of_file = report.study.series.empty();
   std::vector<std::string> facts, sentences;
-  for (const Table& table : set_up(report))
+  for (const Table& table : setup_tables(report))
     for (const auto& row : table.rows)
       facts.push_back(fmt::format("{}: {}", std::get<std::string>(row[0]), std::get<std::string>(row[1])));
   if (is_of_file) {
@@ -100,13 +100,13 @@ std::string methods_of(const Report& report, const std::string& program) {
 std::vector<std::string> results_of(const Answer& answer) {
   std::vector<std::string> sentences{headline(answer)};
   const bool are_two = answer.decisive().described.size() == 2;
-  const std::vector<Question> questions = questions_of(answer);
+  const std::vector<Question> questions = headline_questions(answer);
   for (const JudgedMetric& judged : answer.metrics) {
     if (!judged.findings.empty() && (are_two || std::ranges::count(questions, &judged, &Question::of) > 0))
       sentences.push_back(pairs_of(answer, judged));
   }
-  if (const std::string decides = what_decides(answer); !decides.empty()) sentences.push_back(decides + '.');
-  for (const Doubt& doubt : answer.all_doubts()) sentences.push_back(warning_of(doubt));
+  if (const std::string decides = ranking_note(answer); !decides.empty()) sentences.push_back(decides + '.');
+  for (const Doubt& doubt : answer.all_warnings()) sentences.push_back(warning_sentence(doubt));
   std::erase(sentences, "");
   return sentences;
 }
@@ -117,7 +117,7 @@ void write_article(const Report& report, const std::vector<std::string>& tables,
   const auto write = [&](const char* name, const std::string& text) {
     base::write_file(folder / "article" / name, text);
   };
-  const std::string methods = methods_of(report, program);
+  const std::string methods = methods_paragraph(report, program);
   std::vector<std::string> sentences, of_report = results_of(report.answer);
   for (const Block& block : report.first) {  // of a paper what repeats, before its table
     if (std::holds_alternative<Table>(block)) break;
@@ -134,7 +134,7 @@ void write_article(const Report& report, const std::vector<std::string>& tables,
   std::string floats;
   for (const std::string& table : tables) floats += fmt::format("\\input{{\\report/tables/{}}}\n", table);
   for (const figures::Figure& figure : figures) {
-    const std::vector<std::string> types = types_of(figure, folder);
+    const std::vector<std::string> types = picture_formats_of(figure, folder);
     if (types.empty() || types.back() == "svg") continue;  // which LaTeX cannot draw
     floats += fmt::format(
         "\\begin{{figure{0}}}\n\\centering\n\\includegraphics[width=\\linewidth]{{{1}}}\n\\caption{{{2}}}\\label{{fig:{1}}}\n"
@@ -142,7 +142,7 @@ void write_article(const Report& report, const std::vector<std::string>& tables,
         figure.width_cm > 12 ? "*" : "", figure.name, latex_text(figure.caption));
   }
   write("main.tex",
-        filled_template(
+        fill_template(
             "main.tex",
             {{"program", program},
              {"commands", keys.empty() ? "pdflatex main, or xelatex main"

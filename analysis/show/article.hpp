@@ -10,11 +10,11 @@
 namespace ikbench::show {
 
 // A paragraph of methods, the set-up without the last point. And one of results.
-std::string methods_of(const Report& report, const std::string& program);
+std::string methods_paragraph(const Report& report, const std::string& program);
 std::vector<std::string> results_of(const Answer& answer);
 
 // The table as an article has it: its name and caption say of what.
-Table for_article(const Table& whole, const Report& report);
+Table article_table(const Table& whole, const Report& report);
 // The folder article/, with an example that inputs these tables and figures.
 void write_article(const Report& report, const std::vector<std::string>& tables,
                    const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,

@@ -118,7 +118,7 @@ std::string why_not(const Answer& answer, const JudgedMetric& judged, const Name
   for (const Comparison& finding : judged.findings) {
     const auto* const open = std::get_if<NotTested>(&finding.what);
     if (!open || (!named.contains(finding.first) && !named.contains(finding.second))) continue;
-    std::string reason = reason_of(*open, noun_of(answer, judged));
+    std::string reason = reason_text(*open, observation_noun(answer, judged));
     for (const Doubt& doubt : judged.observations.doubts) {
       if (open->why == NotTested::NotTestedReason::apart && doubt.kind == WarningKind::times_not_comparable)
         reason = doubt.what;
@@ -162,16 +162,16 @@ class First {
   const Descriptives& described(const std::string& name) const {
     return judged_.described[place_of(judged_.observations, name)];
   }
-  std::string little(const Said& fact) const { return fact.is_little ? ", by less than " + margin_words(judged_) : ""; }
+  std::string little(const Said& fact) const { return fact.is_little ? ", by less than " + margin_text(judged_) : ""; }
 
   // "88", "0.42"; of the first also what it is, the whole or the unit: "solved 100 of 100 targets".
   std::string number(const std::string& name) {
     const bool is_first = first_.empty();
     if (is_first) first_ = name;
     const MetricSamples& observed = judged_.observations;
-    const auto [value, is_bound] = shown_average(judged_, place_of(observed, name));
+    const auto [value, is_bound] = displayed_average(judged_, place_of(observed, name));
     const int n = described(name).n;
-    std::string text = with_unit((is_bound ? "at most " : "") + number_beside(value, ends_of_shares(judged_)),
+    std::string text = with_unit((is_bound ? "at most " : "") + number_within(value, percent_boundaries(judged_)),
                                  is_first ? observed.unit : "");
     if (is_share(judged_) && observed.trials == 1) {
       text = fmt::format("{:.0f}", value * n / 100);
@@ -198,7 +198,7 @@ class First {
   std::string word(const Said& fact) const {
     return fact.what == What::better       ? "better"
            : fact.what == What::worse      ? "worse"
-           : fact.what == What::same       ? "the same within " + margin_words(judged_)
+           : fact.what == What::same       ? "the same within " + margin_text(judged_)
            : fact.what == What::not_tested ? "not tested" + why_not(answer_, judged_, fact.who)
                                            : "not decided";
   }
@@ -228,7 +228,7 @@ class First {
                            little(fact));
       }
       case What::same:
-        return fmt::format("{} are the same within {}", with_numbers(who), margin_words(judged_));
+        return fmt::format("{} are the same within {}", with_numbers(who), margin_text(judged_));
       case What::undecided:
         return fmt::format("Not decided between {}{}", with_numbers(who),
                            who_are_equal(who) ? ": all values are equal" : "");
@@ -272,7 +272,7 @@ class First {
                            : fmt::format("{}", fmt::join(others, ", ")),
                        fact.what == What::undecided  ? "not decided"
                        : fact.what == What::unbeaten ? "no difference is shown"
-                                                     : "the same within " + margin_words(judged_));
+                                                     : "the same within " + margin_text(judged_));
   }
 };
 
@@ -312,7 +312,7 @@ std::string then_told(const Answer& answer, const Question& question) {
     text += question.said.front().what == What::circle
                 ? fmt::format("By {} each is worse than another", judged.observations.quantity)
             : question.said.front().what == What::same && untested.empty()
-                ? fmt::format("By {} they are the same within {}", judged.observations.quantity, margin_words(judged))
+                ? fmt::format("By {} they are the same within {}", judged.observations.quantity, margin_text(judged))
                 : fmt::format("No difference in {} is shown", judged.observations.quantity);
   } else {
     const std::string first = *std::ranges::max_element(best, {}, [&](const std::string& name) {
@@ -327,7 +327,7 @@ std::string then_told(const Answer& answer, const Question& question) {
     const bool is_clear = all_pairs(best, losers, is_ahead);
     const auto is_so = [&](auto& one, auto& other) { return is_little(pairs.finding(one, other)); };
     text += is_clear ? fmt::format("{} {}{}", names_of(best), best.size() == 1 ? words.is : words.are,
-                                   all_pairs(best, losers, is_so) ? ", by less than " + margin_words(judged) : "")
+                                   all_pairs(best, losers, is_so) ? ", by less than " + margin_text(judged) : "")
                      : fmt::format("None is shown to {} than {}", words.than, first);
     text += ratios_told(ratios, words, is_clear && best.size() > 1 ? " as " + first : "");
   }
@@ -338,7 +338,7 @@ std::string then_told(const Answer& answer, const Question& question) {
 
 }  // namespace
 
-std::vector<Said> said_of(const JudgedMetric& judged, const Names& among) {
+std::vector<Said> statements_of(const JudgedMetric& judged, const Names& among) {
   const Pairs pairs(judged, among);
   if (!pairs.is_any()) return {{What::numbers, among}};
   std::vector<Said> said;
@@ -384,7 +384,7 @@ std::vector<Said> said_of(const JudgedMetric& judged, const Names& among) {
       : rest.size() > 1 && are(rest, Verdict::undecided) ? What::undecided
                                                          : What::unbeaten,
       rest);
-  ByWord worse;  // by the winner, an unbeaten one if there is one
+  NamesByPhrase worse;  // by the winner, an unbeaten one if there is one
   for (const std::string& loser : losers) {
     const auto beats = [&](const std::string& name) { return is_ahead(name, loser); };
     const auto winner = std::ranges::find_if(rest, beats);
@@ -396,9 +396,9 @@ std::vector<Said> said_of(const JudgedMetric& judged, const Names& among) {
   return said;
 }
 
-std::vector<Question> questions_of(const Answer& answer) {
+std::vector<Question> headline_questions(const Answer& answer) {
   const JudgedMetric& first = answer.decisive();
-  std::vector<Question> all{{.of = &first, .said = said_of(first, answer.solvers())}};
+  std::vector<Question> all{{.of = &first, .said = statements_of(first, answer.solvers())}};
   const auto& [what, unbeaten, against, is_little] = all.front().said.front();
   const Names rest = what == What::numbers || what > What::unbeaten ? Names() : unbeaten;
   std::string before;
@@ -406,7 +406,7 @@ std::vector<Question> questions_of(const Answer& answer) {
     const auto words = std::ranges::find(all_words, then, &Words::then);
     const JudgedMetric* const judged = words == all_words.end() ? nullptr : metric_of(answer, *words);
     if (judged == nullptr || rest.size() < 2 || (answer.order.size() > 2 && !first.plan.control.empty())) continue;
-    std::vector<Said> said = said_of(*judged, rest);
+    std::vector<Said> said = statements_of(*judged, rest);
     const auto is_judged = [](const Said& fact) { return fact.what != What::not_tested && fact.what != What::numbers; };
     if (std::ranges::any_of(said, is_judged)) {
       all.push_back({.of = judged, .said = std::move(said), .before = before});
@@ -418,24 +418,24 @@ std::vector<Question> questions_of(const Answer& answer) {
   return all;
 }
 
-std::string second_sentence(const Answer& answer) {
-  const std::vector<Question> questions = questions_of(answer);
+std::string tie_breaker_sentence(const Answer& answer) {
+  const std::vector<Question> questions = headline_questions(answer);
   return questions.size() < 2 ? "" : then_told(answer, questions.back());
 }
 
 std::string headline(const Answer& answer) {
   if (!answer.verdict.empty()) return answer.verdict;
-  const std::vector<Question> questions = questions_of(answer);
+  const std::vector<Question> questions = headline_questions(answer);
   const std::string then = questions.size() < 2 ? "" : ' ' + then_told(answer, questions.back());
   return First(answer).told(questions.front().said) + '.' + then;
 }
 
-std::string what_decides(const Answer& answer) {
+std::string ranking_note(const Answer& answer) {
   const auto has_winner = [&](const JudgedMetric& judged) {
     return &judged != &answer.decisive() && !beaten_solvers(judged.findings).empty();
   };
   if (!answer.verdict.empty() || std::ranges::none_of(answer.metrics, has_winner)) return "";
-  const std::vector<Question> questions = questions_of(answer);
+  const std::vector<Question> questions = headline_questions(answer);
   return fmt::format("Judged by {}{}", answer.decisive().observations.quantity,
                      questions.size() < 2 ? "" : ", then " + questions[1].of->observations.quantity);
 }

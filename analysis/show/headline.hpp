@@ -26,7 +26,7 @@ struct Said {
   bool is_little = false;  // a difference, of each pair less than the margin
 };
 // Of a metric, among these, which are in the order of the table.
-std::vector<Said> said_of(const judge::JudgedMetric& judged, const std::vector<std::string>& among);
+std::vector<Said> statements_of(const judge::JudgedMetric& judged, const std::vector<std::string>& among);
 
 // What the headline asks: the deciding metric of all solvers; then, of a study without a control of several, among
 // those whom it leaves open, the first metric of its plan that is judged. Pairs and p are those of all solvers, so that
@@ -36,12 +36,12 @@ struct Question {
   std::vector<Said> said;
   std::string before = {};  // "Time is not judged (the machine was busy). "
 };
-std::vector<Question> questions_of(const Answer& answer);
+std::vector<Question> headline_questions(const Answer& answer);
 
 // "DLS (solved 100 of 100 targets) is best; PSO (88) is worse." "LM and DLS solved all 100 targets, SLSQP 99 (not
 // decided); Newton (77) is worse. LM is the fastest; DLS takes 1.2 times as long."
 std::string headline(const Answer& answer);
-std::string second_sentence(const Answer& answer);  // of it alone; empty if there is none
-std::string what_decides(const Answer& answer);     // "Judged by solved, then time"; empty if nothing else is won
+std::string tie_breaker_sentence(const Answer& answer);  // of it alone; empty if there is none
+std::string ranking_note(const Answer& answer);          // "Judged by solved, then time"; empty if nothing else is won
 
 }  // namespace ikbench::show

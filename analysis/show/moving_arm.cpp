@@ -114,7 +114,7 @@ std::optional<std::string> moving_arm(const StudyResults& study, const std::vect
   return text;
 }
 
-std::string drawing_library() {
+std::string threejs_source() {
   const std::initializer_list<base::EmbeddedFile> files{
 #include "three.inc"
   };

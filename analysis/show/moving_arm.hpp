@@ -15,6 +15,6 @@ namespace ikbench::show {
 std::optional<std::string> moving_arm(const judge::StudyResults& study, const std::vector<std::string>& order);
 
 // three.js and its OrbitControls, as they were where the program was built; empty without them.
-std::string drawing_library();
+std::string threejs_source();
 
 }  // namespace ikbench::show

@@ -43,12 +43,12 @@ struct PageWriter {
   const std::filesystem::path& folder;
 
   std::string operator()(const Heading& heading) const {
-    const std::string id = id_of(heading.text);
+    const std::string id = anchor_id(heading.text);
     return fmt::format("<h2 id=\"{0}\"><a href=\"#{0}\">{1}</a></h2>\n", id, html_text(heading.text));
   }
   std::string operator()(const std::string& text) const { return fmt::format("<p>{}</p>\n", html_text(text)); }
   std::string operator()(const Table& table) const {
-    const std::string id = id_of(table.name);
+    const std::string id = anchor_id(table.name);
     std::string text = fmt::format("<div class=\"card\"{}>\n", id.empty() ? "" : fmt::format(" id=\"table-{}\"", id));
     const Table open = told_of(table);
     const auto rows = [](const Table& part) {
@@ -76,8 +76,8 @@ struct PageWriter {
       picture = fmt::format("<div class=\"scroll\"><img alt=\"{}\" src=\"data:image/{};base64,{}\"></div>\n", caption,
                             media, base64(*drawn));
     }
-    return fmt::format("<figure id=\"figure-{}\"{}>\n{}<figcaption>{}</figcaption>\n</figure>\n", id_of(figure.name),
-                       figure.width_cm > 12 ? " class=\"wide\"" : "", picture, caption);
+    return fmt::format("<figure id=\"figure-{}\"{}>\n{}<figcaption>{}</figcaption>\n</figure>\n",
+                       anchor_id(figure.name), figure.width_cm > 12 ? " class=\"wide\"" : "", picture, caption);
   }
 };
 
@@ -111,7 +111,7 @@ std::string contents_of(std::span<const Blocks> sections) {
   std::string text = "<nav aria-label=\"Contents\">";
   for (const Blocks& blocks : sections) {
     if (const auto* heading = std::get_if<Heading>(&blocks.front()))
-      text += fmt::format("<a href=\"#{}\">{}</a>\n", id_of(heading->text), html_text(heading->text));
+      text += fmt::format("<a href=\"#{}\">{}</a>\n", anchor_id(heading->text), html_text(heading->text));
   }
   return text + "</nav>\n";
 }
@@ -135,7 +135,8 @@ struct MarkdownWriter {
   }
   std::string operator()(const figures::Figure& figure) const {
     const std::string caption = markdown_text(figure.caption);
-    const std::vector<std::string> types = types_of(figure, folder);  // another report may just have removed them
+    const std::vector<std::string> types =
+        picture_formats_of(figure, folder);  // another report may just have removed them
     return types.empty() ? caption + "\n\n"
                          : fmt::format("![{}](figures/{}.{})\n\n", caption, figure.name, types.front());
   }
@@ -144,7 +145,7 @@ struct MarkdownWriter {
 }  // namespace
 
 // What it is replaced by is not looked at.
-std::string filled_template(std::string_view name, const std::map<std::string, std::string, std::less<>>& values) {
+std::string fill_template(std::string_view name, const std::map<std::string, std::string, std::less<>>& values) {
   const std::string_view page = template_named(name);
   std::string text;
   for (std::size_t at = 0, open = 0; open != std::string_view::npos;) {
@@ -158,25 +159,25 @@ std::string filled_template(std::string_view name, const std::map<std::string, s
   return text;
 }
 
-std::string to_page(const std::string& title, const std::vector<Blocks>& sections,
-                    const std::optional<std::string>& arm, const std::filesystem::path& folder,
-                    const std::string& program) {
+std::string to_html_page(const std::string& title, const std::vector<Blocks>& sections,
+                         const std::optional<std::string>& arm, const std::filesystem::path& folder,
+                         const std::string& program) {
   const PageWriter write{folder};
   const auto script = [](std::string_view code) { return fmt::format("<script>{}</script>\n", code); };
   std::string scripts;
   if (arm)
-    scripts = std::string(template_named("licence.html")) + script(drawing_library()) +
+    scripts = std::string(template_named("licence.html")) + script(threejs_source()) +
               fmt::format("<script type=\"application/json\" id=\"motion-data\">{}</script>\n", *arm) +
               script(template_named("moving_arm.js"));
   const std::span rest(sections.begin() + 1, sections.end());
   std::string text = answer(title, sections.front(), write, contents_of(rest),
                             arm ? template_named("stage.html") : std::string_view());
   for (const Blocks& blocks : rest) text += section(blocks, write);
-  return filled_template("page.html", {{"title", html_text(title)},
-                                       {"style", std::string(template_named("page.css"))},
-                                       {"sections", std::move(text)},
-                                       {"program", html_text(program.empty() ? "ikbench" : program)},
-                                       {"scripts", std::move(scripts)}});
+  return fill_template("page.html", {{"title", html_text(title)},
+                                     {"style", std::string(template_named("page.css"))},
+                                     {"sections", std::move(text)},
+                                     {"program", html_text(program.empty() ? "ikbench" : program)},
+                                     {"scripts", std::move(scripts)}});
 }
 
 std::string to_markdown(const std::vector<Blocks>& sections, const std::filesystem::path& folder) {

@@ -32,27 +32,27 @@ std::string with_unit(const std::string& text, const std::string& unit) {
   return fmt::format("{} {}", text, text == "1" && unit == "points" ? "point" : unit);
 }
 
-void ByWord::add(const std::string& word, const std::string& name) {
+void NamesByPhrase::add(const std::string& word, const std::string& name) {
   auto entry = std::ranges::find(all, word, [](const auto& pair) { return pair.first; });
   if (entry == all.end()) entry = all.insert(entry, {word, {}});
   if (std::ranges::count(entry->second, name) == 0) entry->second.push_back(name);
 }
 
-std::vector<std::string> ByWord::told(const char* form) const {
+std::vector<std::string> NamesByPhrase::told(const char* form) const {
   std::vector<std::string> told;
   for (const auto& [word, names] : all) told.push_back(fmt::format(fmt::runtime(form), word, names_of(names)));
   return told;
 }
 
-std::string margin_words(const JudgedMetric& judged) {
+std::string margin_text(const JudgedMetric& judged) {
   const auto [relative, absolute] = std::pair(judged.plan.margin, judged.observations.absolute_margin);
   const std::string words = with_unit(number_text(100 * relative), is_share(judged) ? "points" : "%");
   if (absolute == 0 || is_share(judged)) return words;
   return (relative == 0 ? "" : words + " or ") + with_unit(number_text(absolute), judged.observations.unit);
 }
 
-std::string verdict_words(const Comparison& finding, const JudgedMetric& judged) {
-  const std::string margin = margin_words(judged), verdict(judge::name_of(verdict_of(finding)));
+std::string comparison_text(const Comparison& finding, const JudgedMetric& judged) {
+  const std::string margin = margin_text(judged), verdict(judge::name_of(verdict_of(finding)));
   if (const auto* const tested = std::get_if<TestResult>(&finding.what)) {
     if (tested->verdict == Verdict::same) return "same within " + margin;
     if (are_equal(finding)) return fmt::format("{}: all {} equal", verdict, tested->n);
@@ -61,17 +61,17 @@ std::string verdict_words(const Comparison& finding, const JudgedMetric& judged)
   if (std::holds_alternative<DeterministicResult>(finding.what))
     return verdict + (are_equal(finding) || is_difference(verdict_of(finding)) ? "" : " within " + margin) +
            ", for certain";
-  return fmt::format("{}: {}", verdict, reason_of(std::get<NotTested>(finding.what), "values"));
+  return fmt::format("{}: {}", verdict, reason_text(std::get<NotTested>(finding.what), "values"));
 }
 
-const VerdictWords& words_of(Verdict verdict) {
-  static constexpr std::array<VerdictWords, 5> all{
+const VerdictStyle& words_of(Verdict verdict) {
+  static constexpr std::array<VerdictStyle, 5> all{
       {{"better", Tone::good}, {"worse", Tone::bad}, {"same"}, {"undecided"}, {"not_tested"}}};
   return all[static_cast<std::size_t>(verdict)];
 }
 
-ReasonWords words_of(NotTested::NotTestedReason why) {
-  constexpr std::array<ReasonWords, 9> all{
+ReasonTexts words_of(NotTested::NotTestedReason why) {
+  constexpr std::array<ReasonTexts, 9> all{
       {{"lost", "values are missing", "values are missing"},
        {"infinite", "infinite values have no mean", "infinite values have no mean"},
        {"apart", "not comparable", "not comparable (!)"},
@@ -85,25 +85,25 @@ ReasonWords words_of(NotTested::NotTestedReason why) {
   return all[static_cast<std::size_t>(why)];
 }
 
-std::string reason_of(const NotTested& open, std::string_view noun) {
+std::string reason_text(const NotTested& open, std::string_view noun) {
   if (open.why != NotTested::NotTestedReason::too_few || open.n == 0) return std::string(words_of(open.why).of_pair);
   return fmt::format("{} {} too few, {} are needed", base::counted(open.n, noun), open.n == 1 ? "is" : "are",
                      open.needed);
 }
 
-std::string warning_of(const Doubt& doubt) {
+std::string warning_sentence(const Doubt& doubt) {
   const std::string text = words_of(doubt) + '.';
   return doubt.who.empty() || !text.starts_with(doubt.who[0]) ? as_sentence(text) : text;
 }
 
-std::string unit_of(const Comparison& finding, const JudgedMetric& judged) {
+std::string estimate_unit(const Comparison& finding, const JudgedMetric& judged) {
   if (!finding.amount) return "";
   return finding.scale == EffectScale::ratio   ? "times"
          : finding.scale == EffectScale::share ? "points"
                                                : judged.observations.unit;
 }
 
-std::string effect_words(const Comparison& finding) {
+std::string dominance_text(const Comparison& finding) {
   const auto* const tested = std::get_if<TestResult>(&finding.what);
   if (!tested || !tested->effect || !is_difference(tested->verdict)) return "";
   const auto& [ahead, behind] = *tested->effect;
@@ -111,14 +111,14 @@ std::string effect_words(const Comparison& finding) {
                      number_text(100 * behind));
 }
 
-std::set<double> ends_of(const Comparison& finding, const JudgedMetric& judged) {
+std::set<double> null_and_margin(const Comparison& finding, const JudgedMetric& judged) {
   const double margin = judged.plan.margin;
   if (finding.scale == EffectScale::ratio) return {1, 1 + margin, 1 / (1 + margin)};
   const double end = is_share(judged) ? 100 * margin : judged.observations.absolute_margin;
   return {0, end, -end};
 }
 
-std::string stops_of(const StudyResults& study) {
+std::string budget_text(const StudyResults& study) {
   const numerics::StopRule& stop = study.definition.stop;
   std::vector<std::string> tolerances{limit(10 * stop.tolerance_cm(), " mm"), limit(stop.tolerance_deg(), " deg")};
   std::erase(tolerances, "");
@@ -129,25 +129,25 @@ std::string stops_of(const StudyResults& study) {
   return listed(stops, " or ");
 }
 
-std::string ends_of_unsolved(const StudyResults& study) {
+std::string failure_reasons_text(const StudyResults& study) {
   if (!study.definition.has_tolerance()) return "";  // nothing is solved or not
-  ByWord reasons;
+  NamesByPhrase reasons;
   for (const std::string& label : study.labels) {
     std::set<std::string> of_label;
     for (const Solve& solve : study.of(label)) {
       if (solve.status != results::Status::ok)
-        of_label.insert(!results::is_in_order(solve.status) ? with_blanks(results::name_of(solve.status))
+        of_label.insert(!results::is_in_order(solve.status) ? with_spaces(results::name_of(solve.status))
                         : solve.stop_reason == results::StopReason::finished
                             ? "it gave up"
-                            : "limit of " + with_blanks(results::name_of(solve.stop_reason)));
+                            : "limit of " + with_spaces(results::name_of(solve.stop_reason)));
     }
     if (!of_label.empty()) reasons.add(listed({of_label.begin(), of_label.end()}, " or "), label);
   }
   return reasons.all.empty() ? "" : fmt::format("Unsolved: {}.", fmt::join(reasons.told("{} ({})"), "; "));
 }
 
-std::string faults_of(const StudyResults& study) {
-  ByWord faults;
+std::string rejections_text(const StudyResults& study) {
+  NamesByPhrase faults;
   for (const auto& [label, all] : study.faults)
     for (const auto& [fault, count] : all) faults.add(fault, fmt::format("{} {}", label, count));
   if (faults.all.size() > 10) faults.all = {{base::counted(std::ssize(faults.all), "faults"), {"solves.csv"}}};
@@ -164,7 +164,7 @@ std::string what_is_solved(const StudyResults& study) {
   return fmt::format("{}, {}{} ({})", std::filesystem::path(definition.robot).stem().string(),
                      is_one_each ? "" : base::counted(definition.runs, "runs") + " of ",
                      base::counted(is_one_each ? definition.runs : definition.points, "targets"),
-                     with_blanks(definition.path));
+                     with_spaces(definition.path));
 }
 
 }  // namespace ikbench::show

@@ -74,7 +74,7 @@ void remove_earlier(const fs::path& folder, const std::vector<std::string>& earl
 void leave_out_undrawn(std::vector<Blocks>& sections, const fs::path& folder, std::vector<std::string> reasons) {
   const auto is_not_drawn = [&](const Block& block) {
     const auto* const figure = std::get_if<figures::Figure>(&block);
-    return figure != nullptr && types_of(*figure, folder).empty();
+    return figure != nullptr && picture_formats_of(*figure, folder).empty();
   };
   for (Blocks& blocks : sections) {
     if (std::erase_if(blocks, is_not_drawn) == 0) continue;
@@ -85,7 +85,7 @@ void leave_out_undrawn(std::vector<Blocks>& sections, const fs::path& folder, st
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> all_figures() {
+std::vector<std::pair<std::string, std::string>> figure_list() {
   std::vector<std::pair<std::string, std::string>> all;
   for (const figures::KindOfFigure& kind : figures::kinds_of_figures()) all.emplace_back(kind.name, kind.meaning);
   all.emplace_back("boxes", "of a file that stats reads");
@@ -94,7 +94,7 @@ std::vector<std::pair<std::string, std::string>> all_figures() {
   return all;
 }
 
-std::vector<std::string> types_of(const figures::Figure& figure, const fs::path& folder) {
+std::vector<std::string> picture_formats_of(const figures::Figure& figure, const fs::path& folder) {
   std::vector<std::string> types = results::picture_formats;
   std::erase_if(types, [&](const std::string& type) {
     std::error_code none;
@@ -109,7 +109,8 @@ void write_table(const Table& table, const Table& article, const fs::path& folde
   base::write_file(folder / (table.name + ".tex"), to_latex(article) + made);
 }
 
-std::vector<std::string> files_of(const std::vector<std::string>& tables, const std::vector<figures::Figure>& figures) {
+std::vector<std::string> report_files(const std::vector<std::string>& tables,
+                                      const std::vector<figures::Figure>& figures) {
   std::vector<std::string> files;
   for (const std::string& table : tables)
     for (const char* type : {"csv", "tex"}) files.push_back(fmt::format("tables/{}.{}", table, type));
@@ -152,7 +153,7 @@ std::vector<std::string> claim(const fs::path& folder, std::vector<std::string> 
 Written publish(const Report& report, const fs::path& folder, const figures::RenderOptions& options,
                 const std::string& program) {
   for (const char* name : own_files) base::refuse_input(folder / name);
-  std::vector<Blocks> sections = sections_of(report);
+  std::vector<Blocks> sections = report_sections(report);
   const std::vector<std::string> unused = figures::reword(all_in<figures::Figure>(sections), options.style);
   const auto is_left_out = [&](const Block& block) {
     const auto* const figure = std::get_if<figures::Figure>(&block);
@@ -167,7 +168,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   for (const Table* table : tables) names.push_back(table->name);
   for (const figures::Figure* figure : all_in<figures::Figure>(sections)) figures.push_back(*figure);
   Written written{.page = folder / own_files[0]};
-  std::vector<std::string>& files = written.files = files_of(names, figures);
+  std::vector<std::string>& files = written.files = report_files(names, figures);
   for (const std::string file : article_files)
     if (file != "references.bib" || !report.keys.empty()) files.push_back("article/" + file);
   files.insert(files.end(), own_files.begin(), own_files.end() - 1);
@@ -175,7 +176,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   std::erase_if(earlier, [](const std::string& file) { return !may_be_of_report(file); });
   for (const std::string& file : earlier) base::refuse_input(folder / file);
   written.warnings = figures::write_figures(figures, folder / "figures", options);
-  for (const Table* table : tables) write_table(*table, for_article(*table, report), folder / "tables", program);
+  for (const Table* table : tables) write_table(*table, article_table(*table, report), folder / "tables", program);
   write_article(report, names, figures, folder, program);
   // What was not drawn; where it cannot be told whether a file is there, this throws.
   std::erase_if(files, [&](const fs::path& file) {
@@ -191,11 +192,11 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   written.warnings.insert(written.warnings.end(), unused.begin(), unused.end());
   base::write_file(folder / "report.md", to_markdown(sections, folder));
   std::optional<std::string> arm = moving_arm(report.study, report.answer.solvers());
-  if (arm && drawing_library().empty()) {
+  if (arm && threejs_source().empty()) {
     written.warnings.emplace_back("the page has no moving arm: this ikbench was built without three.js");
     arm.reset();
   }
-  base::write_file(written.page, to_page(title_of(report.study), sections, arm, folder, program));
+  base::write_file(written.page, to_html_page(title_of(report.study), sections, arm, folder, program));
   return written;
 }
 

@@ -11,10 +11,10 @@
 namespace ikbench::show {
 
 // Name and meaning of each figure that some report has, whose files begin with it.
-std::vector<std::pair<std::string, std::string>> all_figures();
+std::vector<std::pair<std::string, std::string>> figure_list();
 
 // The types of a figure's pictures that stand there: "svg", "pdf", "png".
-std::vector<std::string> types_of(const figures::Figure& figure, const std::filesystem::path& folder);
+std::vector<std::string> picture_formats_of(const figures::Figure& figure, const std::filesystem::path& folder);
 
 // NAME.csv and, of what an article shows, NAME.tex.
 void write_table(const Table& table, const Table& article, const std::filesystem::path& folder,
@@ -26,7 +26,8 @@ struct Written {
   std::vector<std::string> warnings;  // figures that were not drawn
 };
 // Those of tables of these names, and of figures.
-std::vector<std::string> files_of(const std::vector<std::string>& tables, const std::vector<figures::Figure>& figures);
+std::vector<std::string> report_files(const std::vector<std::string>& tables,
+                                      const std::vector<figures::Figure>& figures);
 // Before these files are written: refuses those that results.json does not list, and lists them there, so that after a
 // kill they are known. Returns what it listed before.
 std::vector<std::string> claim(const std::filesystem::path& folder, std::vector<std::string> files);

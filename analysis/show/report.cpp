@@ -40,7 +40,7 @@ Table solves_table(const Report& report) {
     row.push_back(times.empty() ? Cell() : Cell(quantile(times, 0.5)));
     for (const double share : {0.95, 0.99}) {
       const auto interval = are_single ? judge::quantile_interval(times, share) : std::nullopt;
-      row.push_back(interval ? Cell(Marked{.value = quantile(times, share), .interval = interval}) : Cell());
+      row.push_back(interval ? Cell(ValueCell{.value = quantile(times, share), .interval = interval}) : Cell());
     }
     row.push_back(times.empty() ? Cell() : Cell(times.back()));
   }
@@ -77,20 +77,20 @@ Table options_table(const StudyResults& study) {
     for (auto option = json.begin(); json.is_object() && option != json.end(); ++option)
       options.push_back(fmt::format("{} = {}", option.key(),
                                     option->is_string() ? option->get<std::string>() : base::text_of(*option)));
-    table.rows.push_back({series.label, with_blanks(series.algorithm), fmt::format("{}", fmt::join(options, ", "))});
+    table.rows.push_back({series.label, with_spaces(series.algorithm), fmt::format("{}", fmt::join(options, ", "))});
   }
   return table;
 }
 
 }  // namespace
 
-Report report_of(JudgedStudy judged, std::vector<figures::Figure> figures) {
+Report make_report(JudgedStudy judged, std::vector<figures::Figure> figures) {
   Report report{.answer = answer_of(judged), .figures = std::move(figures)};
   report.study = std::move(judged.study);
   return report;
 }
 
-std::vector<Table> set_up(const Report& report) {
+std::vector<Table> setup_tables(const Report& report) {
   const StudyResults& study = report.study;
   const JudgedMetric& decisive = report.answer.decisive();
   const results::Definition& definition = study.definition;
@@ -108,15 +108,15 @@ std::vector<Table> set_up(const Report& report) {
             : fmt::format("{}, from link {} to {}", definition.robot, definition.base_link, definition.tip_link));
     for (const std::string& note : definition.arm_notes) add(of_study, "arm as read", note);
     add(of_study, "targets",
-        fmt::format("{} a run, {}{}", definition.points, with_blanks(definition.path),
+        fmt::format("{} a run, {}{}", definition.points, with_spaces(definition.path),
                     definition.draws_targets ? ", drawn for each run anew" : ""));
-    add(of_study, "search", with_blanks(name_of(definition.search)));
+    add(of_study, "search", with_spaces(name_of(definition.search)));
     add(of_study, "start",
-        definition.is_chained() ? "where the last solve left the arm" : with_blanks(name_of(definition.start)));
+        definition.is_chained() ? "where the last solve left the arm" : with_spaces(name_of(definition.start)));
     add(of_study, "timed calls", judge::timed_calls_text(study));
-    add(of_study, "candidates outside limits", with_blanks(name_of(definition.bounds)));
+    add(of_study, "candidates outside limits", with_spaces(name_of(definition.bounds)));
     add(of_study, "answers outside limits", std::string(name_of(definition.limits)));
-    add(of_study, "a solve ends at", stops_of(study));
+    add(of_study, "a solve ends at", budget_text(study));
     add(of_study, "solved answers are valid by", fmt::format("{}", fmt::join(definition.check.process, " ")));
     add(of_study, "runs", fmt::to_string(definition.runs));
     add(of_study, "seed", fmt::to_string(definition.seed));
@@ -135,17 +135,17 @@ std::vector<Table> set_up(const Report& report) {
         fmt::format("{}, divided by the pairs of a metric{} (Bonferroni); a difference within {} does not matter",
                     number_text(decisive.plan.significance),
                     metrics == 1 ? "" : fmt::format(" and by the {} metrics that the plan names", metrics),
-                    margin_words(decisive)));
+                    margin_text(decisive)));
   for (const char* fact : {"cpu", "os", "compiler", "build_type", "version", "commit", "jobs", "date"})
-    add(machine, with_blanks(fact), listed_of(environment_values(study, fact)));
+    add(machine, with_spaces(fact), listed_of(environment_values(study, fact)));
   return {std::move(of_study), std::move(machine)};
 }
 
-std::vector<Blocks> sections_of(const Report& report) {
+std::vector<Blocks> report_sections(const Report& report) {
   std::vector<Blocks> sections{report.first};
   const bool is_of_study = !report.study.series.empty();  // else of a user's file
   std::vector<std::string> doubts;
-  for (const Doubt& doubt : report.answer.all_doubts()) doubts.push_back(warning_of(doubt));
+  for (const Doubt& doubt : report.answer.all_warnings()) doubts.push_back(warning_sentence(doubt));
   if (report.first.empty()) {
     sections[0] = {Heading{headline(report.answer)}};
     if (is_of_study) sections[0].emplace_back(report.answer.studied);
@@ -170,7 +170,8 @@ std::vector<Blocks> sections_of(const Report& report) {
   std::ranges::copy(report.additions, std::back_inserter(sections));
   add("Who is better?", {pairs_table(report.answer)});
   if (!report.has_own_numbers) {
-    Table numbers = descriptives_table(report.answer), solves = solves_table(report), all = anova_table(report.answer);
+    Table numbers = descriptives_table(report.answer), solves = solves_table(report),
+          all = omnibus_table(report.answer);
     numbers.told = solves.told = 0;
     add("All numbers", {std::move(numbers), std::move(solves), extras_table(report)});
     const auto is_first = [&](const auto& row) {
@@ -182,7 +183,7 @@ std::vector<Blocks> sections_of(const Report& report) {
   doubts.insert(doubts.end(), report.warnings.begin(), report.warnings.end());
   add("Warnings", {doubts.begin(), doubts.end()});
   if (is_of_study)
-    add("Set-up", {set_up(report)[0], options_table(report.study), set_up(report)[1],
+    add("Set-up", {setup_tables(report)[0], options_table(report.study), setup_tables(report)[1],
                    "As a paragraph, with what to cite: article/methods.tex."});
   return sections;
 }

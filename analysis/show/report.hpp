@@ -25,12 +25,12 @@ struct Report {
   std::vector<std::string> keys = {};      // that its article cites
   std::string_view references = {};        // where they are
 };
-Report report_of(judge::JudgedStudy judged, std::vector<figures::Figure> figures);
+Report make_report(judge::JudgedStudy judged, std::vector<figures::Figure> figures);
 
 // What was solved and how it was judged, and on which machine; of a user's file only how.
-std::vector<Table> set_up(const Report& report);
+std::vector<Table> setup_tables(const Report& report);
 // The blocks of each section, the additions after the pictures; empty ones are left out. The first begins with the
 // headline.
-std::vector<Blocks> sections_of(const Report& report);
+std::vector<Blocks> report_sections(const Report& report);
 
 }  // namespace ikbench::show

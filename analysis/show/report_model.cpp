@@ -137,7 +137,7 @@ std::vector<std::string> Answer::solvers() const {
   return names;
 }
 
-std::vector<Doubt> Answer::all_doubts() const {
+std::vector<Doubt> Answer::all_warnings() const {
   std::vector<Doubt> all = doubts;
   for (const JudgedMetric& judged : metrics) {
     for (const Doubt& doubt : judged.observations.doubts) {
@@ -185,7 +185,7 @@ Answer answer_of(const JudgedStudy& judged) {
   if (all.decisive().observations.measures == QuantityKind::solved) all.then = judged.study.definition.plan.then;
   const std::string solved = what_is_solved(judged.study), &name = judged.study.name;
   all.studied = fmt::format("{}{}. A solve ends at {}.", solved.starts_with(name + ",") ? "" : name + ": ", solved,
-                            stops_of(judged.study));
+                            budget_text(judged.study));
   all.more = {{"Control loop", loop_table(judged.study, all.solvers())},
               {"Beside another machine", beside_table(judged.study, all.solvers())},
               {"In batches", batches_table(judged.study)}};
@@ -205,13 +205,13 @@ Answer answer_of(const JudgedStudy& judged) {
   const auto is_of_time = [](const JudgedMetric& metric) { return metric.observations.measures == QuantityKind::time; };
   if (std::ranges::any_of(judged.metrics, is_of_time) && std::ranges::any_of(judged.study.solves, &Solve::is_told))
     all.notes.emplace_back("Times of programs are told by them.");
-  all.faults = faults_of(judged.study);
-  for (const std::string& note : {ends_of_unsolved(judged.study), all.faults})
+  all.faults = rejections_text(judged.study);
+  for (const std::string& note : {failure_reasons_text(judged.study), all.faults})
     if (!note.empty()) all.notes.push_back(note);
   return all;
 }
 
-std::string noun_of(const Answer& answer, const JudgedMetric& judged) {
+std::string observation_noun(const Answer& answer, const JudgedMetric& judged) {
   return judged.observations.measures == QuantityKind::time ? "sessions" : answer.noun;
 }
 
@@ -225,7 +225,7 @@ std::string reference_of(const Answer& answer) {
   return decisive.observations.groups[answer.order[0]].name;
 }
 
-Shown shown_average(const JudgedMetric& judged, std::size_t group) {
+Shown displayed_average(const JudgedMetric& judged, std::size_t group) {
   return shown(judged, group, average_of(judged, group));
 }
 
@@ -241,7 +241,7 @@ Shown shown(const JudgedMetric& judged, std::size_t group, double value) {
   return {value, at_most > 0 && value == at_most};
 }
 
-std::vector<double> ends_of_shares(const JudgedMetric& judged) {
+std::vector<double> percent_boundaries(const JudgedMetric& judged) {
   return is_share(judged) ? std::vector<double>{0, 100} : std::vector<double>();
 }
 

@@ -31,7 +31,7 @@ struct Answer {
   const judge::JudgedMetric& decisive() const { return metrics.front(); }
   std::vector<std::string> solvers() const;  // in the order
   // Those of all and of each metric, each once; what several metrics have alike, as one.
-  std::vector<judge::Doubt> all_doubts() const;
+  std::vector<judge::Doubt> all_warnings() const;
 };
 
 // Shares in percent; of studies times in ms, and errors in mm, but in cm where a paper's study is repeated. With a
@@ -46,11 +46,11 @@ struct Shown {
   bool is_bound = false;
 };
 Shown shown(const judge::JudgedMetric& judged, std::size_t group, double value);
-Shown shown_average(const judge::JudgedMetric& judged, std::size_t group);  // by which it is tested
-std::vector<double> ends_of_shares(const judge::JudgedMetric& judged);      // 99.97 % is not 100; of others none
+Shown displayed_average(const judge::JudgedMetric& judged, std::size_t group);  // by which it is tested
+std::vector<double> percent_boundaries(const judge::JudgedMetric& judged);      // 99.97 % is not 100; of others none
 
 // What observations of a metric are: "targets", of time "sessions".
-std::string noun_of(const Answer& answer, const judge::JudgedMetric& judged);
+std::string observation_noun(const Answer& answer, const judge::JudgedMetric& judged);
 bool has_failed(const judge::StudyResults& study, const judge::Solve& solve);  // without a tolerance: to answer
 std::string reference_of(const Answer& answer);  // the control, else the first of the table of results
 

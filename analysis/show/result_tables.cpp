@@ -45,7 +45,7 @@ std::string meaning_of(const std::set<std::string>& marks, const std::string& re
 // A value of a group, which may only be an upper bound.
 Cell value_cell(const Group& group, double value) {
   if (std::isnan(value)) return {};
-  return group.at_most > 0 && value == group.at_most ? Cell(Marked{.value = value, .is_bound = true}) : Cell(value);
+  return group.at_most > 0 && value == group.at_most ? Cell(ValueCell{.value = value, .is_bound = true}) : Cell(value);
 }
 
 // Wilson's, of a share of observations that are solved or not.
@@ -90,9 +90,9 @@ Cell result_cell(const Answer& answer, const OfMetric& metric, const std::string
   const JudgedMetric& judged = metric.judged;
   const std::vector<Group>& groups = judged.observations.groups;
   const std::size_t i = place_of(judged.observations, solver);
-  if (i == groups.size()) return Absent{"not in it"};
+  if (i == groups.size()) return MissingCell{"not in it"};
   const Group& group = groups[i];
-  if (missing_in(group) > 0) return Absent{"values are missing"};
+  if (missing_in(group) > 0) return MissingCell{"values are missing"};
   const std::string reference = reference_of(answer);
   const auto found = metric.pairs.find(solver);
   const Comparison* const pair = found == metric.pairs.end() ? nullptr : found->second;
@@ -111,19 +111,19 @@ Cell result_cell(const Answer& answer, const OfMetric& metric, const std::string
   const bool matters = !tested || !tested->is_small || (answer.verdict.empty() && is_deciding);
   const bool is_worse = is_of_all ? losers.contains(solver) : matters && verdict == Verdict::worse;
   const bool is_better = matters && verdict == Verdict::better;
-  Marked cell{.value = unknown, .mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : ""};
+  ValueCell cell{.value = unknown, .mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : ""};
   if (metric.are_ratios && solver != reference && is_told(solver)) {
-    if (is_untested) return Absent{std::string(words_of(std::get<NotTested>(finding.what).why).of_solver)};
+    if (is_untested) return MissingCell{std::string(words_of(std::get<NotTested>(finding.what).why).of_solver)};
     if (const auto& amount = finding.amount) cell.value = amount->value, cell.to_reference = finding.scale;
-    return tested || cell.to_reference ? Cell(cell) : Absent{"too few to compare"};
+    return tested || cell.to_reference ? Cell(cell) : MissingCell{"too few to compare"};
   }
   const Descriptives& its = judged.described[i];
   const bool has_means = are_means(answer);
   const bool is_only_one = is_share(judged) || judged.observations.is_log_scale || std::isnan(its.median);
   const Shown shown =
-      is_only_one ? shown_average(judged, i) : show::shown(judged, i, has_means ? its.mean : its.median);
+      is_only_one ? displayed_average(judged, i) : show::shown(judged, i, has_means ? its.mean : its.median);
   if (std::isnan(shown.value))
-    return Absent{untold(group) ? std::string(words_of(untold(group)->why).of_solver) : "without a value"};
+    return MissingCell{untold(group) ? std::string(words_of(untold(group)->why).of_solver) : "without a value"};
   cell.value = shown.value, cell.is_bound = shown.is_bound;
   cell.interval = interval_of(judged, its);
   if (!is_deciding || is_share(judged) || judged.observations.is_of_solved || cell.is_bound || its.n < 2) return cell;
@@ -149,7 +149,7 @@ std::string why_too_few(const Answer& answer) {
       const auto* const open = std::get_if<NotTested>(&finding.what);
       if (open == nullptr) continue;
       const bool is_told = open->why == NotTested::NotTestedReason::too_few && open->n > 0;
-      reasons.insert(is_told ? reason_of(*open, noun_of(answer, judged)) : "");
+      reasons.insert(is_told ? reason_text(*open, observation_noun(answer, judged)) : "");
     }
   }
   return reasons.size() == 1 && !reasons.begin()->empty() ? fmt::format(" ({})", *reasons.begin()) : "";
@@ -159,10 +159,10 @@ std::string why_too_few(const Answer& answer) {
 struct Occurring {
   bool averages = false, spreads = false, shares = false;
   std::set<std::string> marks = {}, scales = {};
-  ByWord reasons = {};                                 // metrics by why they have a "-"
+  NamesByPhrase reasons = {};                          // metrics by why they have a "-"
   std::vector<std::string> ratios = {}, counted = {};  // metrics: to the reference; of each one's own targets
 
-  void add(const Marked& cell, bool is_share, bool is_average) {
+  void add(const ValueCell& cell, bool is_share, bool is_average) {
     averages |= !is_share && is_average;
     (is_share ? shares : spreads) |= cell.interval || cell.sd;
     marks.insert(cell.mark);
@@ -233,10 +233,10 @@ Table without_pairs(const Answer& answer) {
                              "ahead", "behind", "g", "g_av", "test", "n", "n that could decide", "size", "reason"})};
   std::set<double> ends;
   for (const JudgedMetric& judged : answer.metrics)
-    for (const Comparison& finding : judged.findings) ends.merge(ends_of(finding, judged));
-  table.columns[4].role = Role::interval, table.columns[4].ends = {ends.begin(), ends.end()};
-  table.columns[6].role = Role::p, table.columns[6].ends = {answer.decisive().plan.significance};
-  for (Column& column : std::span(table.columns).subspan(8)) column.role = Role::remark;
+    for (const Comparison& finding : judged.findings) ends.merge(null_and_margin(finding, judged));
+  table.columns[4].role = ColumnRole::interval, table.columns[4].ends = {ends.begin(), ends.end()};
+  table.columns[6].role = ColumnRole::p, table.columns[6].ends = {answer.decisive().plan.significance};
+  for (Column& column : std::span(table.columns).subspan(8)) column.role = ColumnRole::remark;
   return table;
 }
 
@@ -246,8 +246,8 @@ std::vector<Cell> row_of(const Comparison& finding, const JudgedMetric& judged) 
   const auto* const open = std::get_if<NotTested>(&finding.what);
   const auto* const effect = tested && tested->effect ? &*tested->effect : nullptr;
   const Verdict verdict = verdict_of(finding);
-  const VerdictWords& words = words_of(verdict);
-  const std::string how_often = amount ? "" : effect_words(finding);
+  const VerdictStyle& words = words_of(verdict);
+  const std::string how_often = amount ? "" : dominance_text(finding);
   const int enough = tested ? tested->enough : open ? open->needed : 0;
   const auto number = [](const auto& of, auto value) { return of ? Cell(value(*of)) : Cell(); };
   const auto text = [](std::string_view its) { return text_cell(std::string(its)); };
@@ -257,10 +257,10 @@ std::vector<Cell> row_of(const Comparison& finding, const JudgedMetric& judged) 
                         finding.second,
                         number(amount, [](const EffectEstimate& its) { return its.value; }),
                         amount && amount->interval ? Cell(*amount->interval) : Cell(),
-                        text_cell(unit_of(finding, judged)),
+                        text_cell(estimate_unit(finding, judged)),
                         number(tested, [](const TestResult& its) { return its.p; }),
-                        Judgement{verdict_words(finding, judged) + (how_often.empty() ? "" : ", " + how_often),
-                                  words.tone, std::string(words.key)}};
+                        VerdictCell{comparison_text(finding, judged) + (how_often.empty() ? "" : ", " + how_often),
+                                    words.tone, std::string(words.key)}};
   row.push_back(effect && !are_means ? Cell(effect->a12()) : Cell());
   row.push_back(number(effect, [](const Dominance& its) { return its.ahead; }));
   row.push_back(number(effect, [](const Dominance& its) { return its.behind; }));
@@ -290,7 +290,7 @@ Table results_table(const Answer& answer, bool is_brief) {
   const std::string reference = reference_of(answer);
   const std::set<std::string> losers = beaten_solvers(answer.decisive().findings);
   std::vector<std::string> apart;  // nobody knows whether they are better
-  for (const Said& fact : said_of(answer.decisive(), answer.solvers()))
+  for (const Said& fact : statements_of(answer.decisive(), answer.solvers()))
     if (fact.what == Said::What::not_tested) apart = fact.who;
   Occurring occurring;
   for (const JudgedMetric& judged : answer.metrics) {
@@ -299,7 +299,7 @@ Table results_table(const Answer& answer, bool is_brief) {
         &judged == &answer.decisive() && !is_share(judged) && !observed.is_of_solved && !observed.is_log_scale;
     table.columns.push_back({.name = (is_average ? average_shown(answer) + " " : "") + observed.quantity,
                              .unit = observed.unit,
-                             .ends = ends_of_shares(judged)});
+                             .ends = percent_boundaries(judged)});
     const OfMetric metric(judged, reference);
     const bool are_ratios_here = metric.are_ratios,
                are_counted = observed.is_of_solved && !are_ratios_here && !judged.findings.empty();
@@ -307,9 +307,9 @@ Table results_table(const Answer& answer, bool is_brief) {
     if (are_counted) occurring.counted.push_back(observed.quantity);
     for (auto& row : table.rows) {
       row.push_back(result_cell(answer, metric, std::get<std::string>(row[0]), losers, apart));
-      if (const auto* const absent = std::get_if<Absent>(&row.back()))
+      if (const auto* const absent = std::get_if<MissingCell>(&row.back()))
         occurring.reasons.add(absent->why, observed.quantity);
-      if (const auto* const marked = std::get_if<Marked>(&row.back()))
+      if (const auto* const marked = std::get_if<ValueCell>(&row.back()))
         occurring.add(*marked, is_share(judged), !observed.is_log_scale && !are_ratios_here && !are_counted);
     }
   }
@@ -326,7 +326,7 @@ Table results_table(const Answer& answer, bool is_brief) {
 
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names) {
   Table table{.name = "studies", .caption = "What decides each study", .columns = {{"solver"}}, .is_of_study = false};
-  ByWord quantities, references;  // studies by them
+  NamesByPhrase quantities, references;  // studies by them
   std::set<std::string> all_marks;
   for (std::size_t s = 0; s < studies.size(); ++s) {
     Table of_study = results_table(studies[s]);
@@ -337,8 +337,8 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
       const auto name_of = [](const std::vector<Cell>& cells) { return std::get<std::string>(cells[0]); };
       auto row = std::ranges::find(table.rows, name_of(of_solver), name_of);
       if (row == table.rows.end()) row = table.rows.insert(row, {of_solver[0]});
-      row->resize(s + 1, Absent{"not in the study"});
-      if (auto* const marked = std::get_if<Marked>(&of_solver[1])) {
+      row->resize(s + 1, MissingCell{"not in the study"});
+      if (auto* const marked = std::get_if<ValueCell>(&of_solver[1])) {
         marks.insert(marked->mark);
         marked->interval.reset(), marked->sd.reset();
       }
@@ -350,7 +350,7 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
                      names[s]);
     all_marks.merge(marks);
   }
-  for (auto& row : table.rows) row.resize(table.columns.size(), Absent{"not in the study"});
+  for (auto& row : table.rows) row.resize(table.columns.size(), MissingCell{"not in the study"});
   std::vector<std::string> sentences{"Shown: " + listed(quantities.told("{} ({})")),
                                      meaning_of(all_marks, listed(references.told("{} ({})"), " or ")),
                                      "Each study is judged alone"};
@@ -373,7 +373,7 @@ Table with_a_row_a_study(const Table& studies) {
 Table pairs_table(const Answer& answer) {
   Table table = without_pairs(answer);
   const std::string reference = reference_of(answer);
-  const std::vector<Question> questions = questions_of(answer);
+  const std::vector<Question> questions = headline_questions(answer);
   std::vector<std::vector<Cell>> others;
   std::size_t left_out = 0;
   bool has_p = false;
@@ -392,7 +392,7 @@ Table pairs_table(const Answer& answer) {
   }
   table.told = table.rows.size();
   std::ranges::move(others, std::back_inserter(table.rows));
-  const std::string decides = what_decides(answer);
+  const std::string decides = ranking_note(answer);
   std::vector<std::string> notes{decides.empty() ? "" : decides + "; other metrics are exploratory.",
                                  answer.verdict.empty() && has_p ? how_p_is_adjusted(answer) : "",
                                  left_out == 0 ? "" : fmt::format("{} more pairs are not listed.", left_out)};
@@ -401,7 +401,7 @@ Table pairs_table(const Answer& answer) {
   return table;
 }
 
-Table tested_pairs(const Answer& answer) {
+Table tested_pairs_table(const Answer& answer) {
   Table table = without_pairs(answer);
   const std::size_t metrics = answer.decisive().described.size() > 2 ? 1 : answer.metrics.size();
   std::set<int> sizes;
@@ -414,7 +414,7 @@ Table tested_pairs(const Answer& answer) {
   }
   if (answer.direction.empty() || sizes.size() < 2) return table;
   // Pairs of a file that have different blocks in common tell how many.
-  std::ranges::find(table.columns, "n", &Column::name)->role = Role::value;
+  std::ranges::find(table.columns, "n", &Column::name)->role = ColumnRole::value;
   return table;
 }
 
@@ -455,13 +455,13 @@ Table descriptives_table(const Answer& answer) {
   return table;
 }
 
-Table anova_table(const Answer& answer) {
+Table omnibus_table(const Answer& answer) {
   Table table{.name = "anova",
               .caption = "Do the solvers differ at all?",
               .columns = columns_of({"metric", "test", "source", "SS", "df", "MS", "statistic", "p", "eta squared",
                                      "partial eta squared", "epsilon"})};
-  table.columns[7].role = Role::p;
-  ByWord left_out;
+  table.columns[7].role = ColumnRole::p;
+  NamesByPhrase left_out;
   for (const JudgedMetric& judged : answer.metrics) {
     const auto [tests, without] = omnibus_tests(judged.observations);
     const std::string& quantity = judged.observations.quantity;
@@ -492,11 +492,11 @@ base::OrderedJson to_json(const Answer& answer) {
   notes.insert(notes.end(), pairs.notes.begin(), pairs.notes.end());
   for (const JudgedMetric& judged : answer.metrics)
     direction[judged.observations.quantity] = judged.observations.better == Better::larger ? "larger" : "smaller";
-  for (const Doubt& doubt : answer.all_doubts()) doubts.push_back(words_of(doubt));
+  for (const Doubt& doubt : answer.all_warnings()) doubts.push_back(words_of(doubt));
   return {{"headline", headline(answer)},
           {"metric", answer.decisive().observations.quantity},
           {"groups", to_json(descriptives_table(answer))},
-          {"tests", to_json(anova_table(answer))},
+          {"tests", to_json(omnibus_table(answer))},
           {"findings", to_json(pairs)},
           {"direction", std::move(direction)},
           {"doubts", std::move(doubts)},

@@ -17,9 +17,9 @@ Table results_table(const Answer& answer, bool is_brief = false);
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names);
 Table with_a_row_a_study(const Table& studies);  // of one unit: of so many that they do not stand across
 Table pairs_table(const Answer& answer);         // a row a pair; first those of the headline, which are told
-Table tested_pairs(const Answer& answer);        // of the deciding metric; of two groups of all
+Table tested_pairs_table(const Answer& answer);  // of the deciding metric; of two groups of all
 Table descriptives_table(const Answer& answer);
-Table anova_table(const Answer& answer);
+Table omnibus_table(const Answer& answer);
 
 // The answer as data: headline, groups, tests, findings and doubts.
 nlohmann::ordered_json to_json(const Answer& answer);

@@ -36,8 +36,8 @@ struct Plain {
   std::string unit = column.unit_of_cells.empty() ? "" : ' ' + column.unit_of_cells;
 
   std::string operator()(std::monostate) const { return "-"; }
-  std::string operator()(const Absent&) const { return "-"; }
-  std::string operator()(const Judgement& judgement) const { return judgement.words; }
+  std::string operator()(const MissingCell&) const { return "-"; }
+  std::string operator()(const VerdictCell& judgement) const { return judgement.words; }
   std::string operator()(const std::string& text) const { return text; }
   std::string operator()(std::int64_t count) const { return fmt::to_string(count) + unit; }
   std::string operator()(double value) const { return number(value, 3); }
@@ -45,19 +45,19 @@ struct Plain {
   std::string operator()(const Printed& printed) const {
     return printed.printed + (printed.sign.empty() ? "" : ' ' + printed.sign);
   }
-  std::string operator()(const Marked& marked) const {
+  std::string operator()(const ValueCell& marked) const {
     if (marked.to_reference == judge::EffectScale::ratio) return times(marked.value);
     return (marked.to_reference && marked.value > 0 ? "+" : "") + number(marked.value, marked.digits);
   }
   std::string number(double value, int digits) const {
     const std::string text =
-        column.role == Role::p ? p_text(value, column.ends) : number_beside(value, column.ends, digits);
+        column.role == ColumnRole::p ? p_text(value, column.ends) : number_within(value, column.ends, digits);
     return text == "-" ? text : text + unit;
   }
 };
 
 // "(98-100)" or "± 0.2".
-std::string spread_of(const Marked& marked, const Format& format) {
+std::string spread_of(const ValueCell& marked, const Format& format) {
   if (marked.sd) return format.plus_minus + number_text(*marked.sd, 2);
   if (!marked.interval) return "";
   const double low = marked.interval->low, high = marked.interval->high;
@@ -67,7 +67,7 @@ std::string spread_of(const Marked& marked, const Format& format) {
 
 std::string written(const Cell& cell, const Column& column, const Format& format) {
   std::string text = format.escape(std::visit(Plain{column}, cell));
-  if (const auto* const marked = std::get_if<Marked>(&cell)) {
+  if (const auto* const marked = std::get_if<ValueCell>(&cell)) {
     if (marked->is_bound) text = fmt::format(fmt::runtime(format.at_most), text);
     if (const std::string spread = spread_of(*marked, format); !spread.empty())
       text += fmt::format(fmt::runtime(format.spread), spread);
@@ -81,20 +81,20 @@ bool has(const Table& table, std::size_t column, auto is_so) {
   return std::ranges::any_of(table.rows, [&](const auto& row) { return is_so(row[column]); });
 }
 const std::string* text_of(const Cell& cell) {
-  const auto* const judgement = std::get_if<Judgement>(&cell);
+  const auto* const judgement = std::get_if<VerdictCell>(&cell);
   return judgement ? &judgement->words : std::get_if<std::string>(&cell);
 }
 bool is_text(const Cell& cell) { return text_of(cell) != nullptr; }
 bool is_printed(const Cell& cell) { return std::holds_alternative<Printed>(cell); }
-const Marked& marked_of(const Cell& cell) {
-  static const Marked none{};
-  const auto* const marked = std::get_if<Marked>(&cell);
+const ValueCell& marked_of(const Cell& cell) {
+  static const ValueCell none{};
+  const auto* const marked = std::get_if<ValueCell>(&cell);
   return marked ? *marked : none;
 }
 bool is_ratio(const Cell& cell) { return marked_of(cell).to_reference == judge::EffectScale::ratio; }
 // As readers see it: with the decimals of the printed where three digits would round it onto an end.
-Marked ours_of(const Printed& cell, const Ends& ends) {
-  if (number_beside(cell.ours, ends) == number_text(cell.ours)) return {.value = cell.ours};
+ValueCell ours_of(const Printed& cell, const Boundaries& ends) {
+  if (number_within(cell.ours, ends) == number_text(cell.ours)) return {.value = cell.ours};
   const std::size_t point = std::min(cell.printed.find('.') + 1, cell.printed.size());
   const double digits = std::floor(std::log10(std::abs(cell.ours))) + 1 +
                         static_cast<double>(point > 0 ? cell.printed.size() - point : 0);
@@ -122,10 +122,10 @@ Table for_readers(Table table) {
     }
     const auto is_empty = [=](const auto& row) {
       const auto* const text = std::get_if<std::string>(&row[c]);
-      return std::holds_alternative<std::monostate>(row[c]) || std::holds_alternative<Absent>(row[c]) ||
+      return std::holds_alternative<std::monostate>(row[c]) || std::holds_alternative<MissingCell>(row[c]) ||
              (text && text->empty());
     };
-    const bool is_remark = table.columns[c].role == Role::remark;
+    const bool is_remark = table.columns[c].role == ColumnRole::remark;
     if (!is_remark && (table.rows.empty() || !std::ranges::all_of(table.rows, is_empty))) continue;
     const auto at = static_cast<std::ptrdiff_t>(c);
     table.columns.erase(table.columns.begin() + at);
@@ -151,18 +151,18 @@ constexpr std::string_view all_members[]{"",     "printed", its_times,  "differe
 
 // The members of a cell in files of numbers, by the words that follow the name of its column.
 std::map<std::string_view, Json> members(const Cell& cell) {
-  const Marked& marked = marked_of(cell);
+  const ValueCell& marked = marked_of(cell);
   const auto* const interval = std::get_if<judge::Interval>(&cell);
   const auto* const spread = interval ? interval : marked.interval ? &*marked.interval : nullptr;
   std::map<std::string_view, Json> all;
   if (const auto* const text = text_of(cell)) all[""] = *text;
-  if (const auto* const judgement = std::get_if<Judgement>(&cell); judgement && !judgement->key.empty())
+  if (const auto* const judgement = std::get_if<VerdictCell>(&cell); judgement && !judgement->key.empty())
     all[""] = judgement->key;
   if (const auto* const count = std::get_if<std::int64_t>(&cell)) all[""] = *count;
   if (const auto* const plain = std::get_if<double>(&cell)) all[""] = base::json_of(*plain);
   if (const auto* const printed = std::get_if<Printed>(&cell))
     all[""] = base::json_of(printed->ours), all["printed"] = printed->printed;
-  if (std::holds_alternative<Marked>(cell))
+  if (std::holds_alternative<ValueCell>(cell))
     all[is_ratio(cell) ? its_times : marked.to_reference ? "difference" : ""] = base::json_of(marked.value);
   if (spread) all["low"] = base::json_of(spread->low), all["high"] = base::json_of(spread->high);
   if (marked.sd) all["sd"] = base::json_of(*marked.sd);
@@ -182,7 +182,7 @@ std::vector<Flat> flat(const Table& table) {
   std::vector<Flat> all;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const auto& [title, unit, role, unit_of_cells, ends] = table.columns[c];
-    const bool is_interval = role == Role::interval,
+    const bool is_interval = role == ColumnRole::interval,
                has_intervals = has(table, c, [](auto&cell) { return std::holds_alternative<judge::Interval>(cell); });
     std::vector<std::map<std::string_view, Json>> cells;
     for (const auto& row : table.rows) cells.push_back(members(row[c]));
@@ -208,10 +208,10 @@ std::vector<Column> columns_of(const std::vector<std::string>& names) {
   return columns;
 }
 
-std::string interval_text(const judge::Interval& interval, const Ends& ends) {
+std::string interval_text(const judge::Interval& interval, const Boundaries& ends) {
   const auto end = [&](double value, bool is_excluded, const char* beyond, char sign) {
     if (std::isinf(value)) return std::string("no bound");
-    const std::string text = number_beside(value, ends);
+    const std::string text = number_within(value, ends);
     return text[0] == sign ? beyond + text.substr(2) : (is_excluded ? beyond : "") + number_text(value);
   };
   return fmt::format("{} to {}", end(interval.low, interval.excludes_low, "above ", '>'),
@@ -304,7 +304,7 @@ std::string to_html(const Table& whole) {
   const auto line = [&](std::size_t r, std::string_view tag) {
     std::string text;
     for (std::size_t c = 0; c < rows[r].size(); ++c) {
-      const auto* const judgement = r == 0 ? nullptr : std::get_if<Judgement>(&table.rows[r - 1][c]);
+      const auto* const judgement = r == 0 ? nullptr : std::get_if<VerdictCell>(&table.rows[r - 1][c]);
       const bool is_long = classes[c].empty() && !judgement && character_count(rows[r][c]) > long_text;
       const std::string its = is_long ? "long" : classes[c];
       text += fmt::format("<{}{}>", tag, its.empty() ? "" : fmt::format(" class=\"{}\"", its));

@@ -24,7 +24,7 @@ struct Printed {
 // A number with a mark, "*", or its interval or standard deviation, or that is an upper bound; or what stands in its
 // place: a ratio to the reference of the column, or a difference from it, which files of numbers have in a column of
 // their own.
-struct Marked {
+struct ValueCell {
   double value;
   std::string mark = {};
   bool is_bound = false;
@@ -34,24 +34,24 @@ struct Marked {
   int digits = 3;
 };
 // Why a number is not known: "too few to compare".
-struct Absent {
+struct MissingCell {
   std::string why;
 };
 // What was found, which a page colours.
 enum class Tone { neutral, good, bad };
-struct Judgement {
+struct VerdictCell {
   std::string words;
   Tone tone = Tone::neutral;
   std::string key = {};  // in place of the words, in files of numbers
 };
 // Readers see three digits, and "-" for an empty cell (std::monostate), an absent number and one that is not finite.
-using Cell = std::variant<std::monostate, std::string, std::int64_t, double, judge::Interval, Printed, Marked, Absent,
-                          Judgement>;
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double, judge::Interval, Printed, ValueCell,
+                          MissingCell, VerdictCell>;
 
 inline Cell text_cell(std::string text) { return text.empty() ? Cell() : Cell(std::move(text)); }
 
 // What a column is, which writers ask, whatever its name says.
-enum class Role {
+enum class ColumnRole {
   value,
   p,         // p-values: "0.0005", "< 0.0001"
   interval,  // of the number before it: files of numbers have "low", "high" and "excluded"
@@ -61,9 +61,9 @@ enum class Role {
 struct Column {
   std::string name;
   std::string unit = {};
-  Role role = Role::value;
+  ColumnRole role = ColumnRole::value;
   std::string unit_of_cells = {};  // beside each number that is no ratio, in place of the head
-  std::vector<double> ends = {};   // onto which no number is rounded (number_beside of text.hpp)
+  std::vector<double> ends = {};   // onto which no number is rounded (number_within of text.hpp)
 };
 
 // Columns with nothing but names.

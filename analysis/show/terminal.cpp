@@ -39,7 +39,7 @@ std::string screen(const Answer& answer, const std::string& page) {
   };
   const std::string more_solvers = cut(table);
   std::string notes = fmt::format("{}", fmt::join(std::exchange(table.notes, {}), " "));
-  if (const std::string decides = what_decides(answer); !decides.empty())
+  if (const std::string decides = ranking_note(answer); !decides.empty())
     notes += fmt::format("{}{}.", notes.empty() ? "" : " ", decides);
   std::string text = paragraph(with_short_names(headline(answer)), "") + '\n';
   const auto add = [&](Table its) {
@@ -59,9 +59,9 @@ std::string screen(const Answer& answer, const std::string& page) {
     add(more);
     text += left_out + '\n';
   }
-  if (page.empty() && answer.decisive().findings.size() <= most_pairs)
-    if (Table pairs = tested_pairs(answer); !pairs.rows.empty()) add(std::move(pairs));
-  const std::vector<Doubt> doubts = answer.all_doubts();  // in the order of their kinds
+  if (page.empty() && answer.decisive().findings.size() <= max_pairs)
+    if (Table pairs = tested_pairs_table(answer); !pairs.rows.empty()) add(std::move(pairs));
+  const std::vector<Doubt> doubts = answer.all_warnings();  // in the order of their kinds
   for (const Doubt& doubt : doubts) {
     const bool is_told = !page.empty() && std::any_of(doubts.data(), &doubt,
                                                       [&](const Doubt& other) { return other.kind == doubt.kind; });

@@ -89,13 +89,13 @@ std::string latex_text(std::string_view text) {
   return std::regex_replace(result, sign, "$1$$-$$");
 }
 
-std::string with_blanks(std::string_view name) {
+std::string with_spaces(std::string_view name) {
   std::string text(name);
   std::ranges::replace(text, '_', ' ');
   return text;
 }
 
-std::string id_of(std::string_view name) {
+std::string anchor_id(std::string_view name) {
   std::string id;
   for (const char c : name) {
     const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
@@ -113,15 +113,15 @@ std::string number_text(double value, int digits) {
 
 std::string times(double ratio) { return number_text(ratio, std::abs(ratio - 1) < 0.1 ? 3 : 2) + " times"; }
 
-std::string number_beside(double value, const Ends& ends, int digits) {
+std::string number_within(double value, const Boundaries& ends, int digits) {
   const std::string text = number_text(value, digits);
   const double read = base::number_from(text).value_or(value);
   if (read == value || std::ranges::count(ends, read) == 0) return text;
   return (value < read ? "< " : "> ") + text;
 }
 
-std::string p_text(double p, const Ends& ends) {
-  return p < 0.0001 ? "< 0.0001" : number_beside(p, ends, p < 0.001 ? 2 : 3);
+std::string p_text(double p, const Boundaries& ends) {
+  return p < 0.0001 ? "< 0.0001" : number_within(p, ends, p < 0.001 ? 2 : 3);
 }
 
 std::string as_sentence(std::string text) {

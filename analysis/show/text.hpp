@@ -14,17 +14,17 @@ using base::character_count, base::listed, base::most_named, base::names_of, bas
 std::string html_text(std::string_view text);
 std::string markdown_text(std::string_view text);
 std::string latex_text(std::string_view text);
-std::string with_blanks(std::string_view name);  // for _
+std::string with_spaces(std::string_view name);  // for _
 std::string as_sentence(std::string text);       // begun by a capital letter
-std::string id_of(std::string_view name);        // letters, digits and "-": an anchor, a link, a label of LaTeX
+std::string anchor_id(std::string_view name);    // letters, digits and "-": an anchor, a link, a label of LaTeX
 
 // 2430, not 2.4e+03: all digits before the point. "-" for a number that is not finite.
 std::string number_text(double value, int digits = 3);
 std::string times(double ratio);  // "8.1 times", "1.04 times"
 // Numbers that decide: one that three digits would round onto an end is "< 100".
-using Ends = std::vector<double>;
-std::string number_beside(double value, const Ends& ends, int digits = 3);
-std::string p_text(double p, const Ends& ends);  // "0.0005", "< 0.0001", "< 0.05"
+using Boundaries = std::vector<double>;
+std::string number_within(double value, const Boundaries& ends, int digits = 3);
+std::string p_text(double p, const Boundaries& ends);  // "0.0005", "< 0.0001", "< 0.05"
 
 // The words of a text in lines of at most that width; longer words stay whole.
 std::vector<std::string> broken(std::string_view text, std::size_t first, std::size_t others);

@@ -8,7 +8,7 @@
 using ikbench::cli::aligned;
 using ikbench::cli::cancelled_exit_code;
 using ikbench::cli::CancelOnSignal;
-using ikbench::cli::folder_for;
+using ikbench::cli::output_folder;
 using ikbench::cli::ProgressBar;
 using ikbench::cli::SignalWatch;
 using ikbench::cli::wrapped;
@@ -68,12 +68,12 @@ TEST_CASE("rows that are too wide wrap the words of their widest columns", "[con
 }
 
 TEST_CASE("a folder has the letters of its study's name", "[console]") {
-  CHECK(folder_for("Kurs – Übung 1/2", "") == "out/Kurs_–_Übung_1_2");
-  CHECK(folder_for("../a\nb\u202e\xff", "") == "out/_.._a_b_\uFFFD");
-  CHECK(folder_for(std::string(99, 'a') + "ü", "") == "out/" + std::string(99, 'a'));
-  CHECK(folder_for("a", "b/c") == "b/c");
-  CHECK(folder_for("..", "") == "out/_..");
-  CHECK(folder_for("/abs", "") == "out/_abs");
+  CHECK(output_folder("Kurs – Übung 1/2", "") == "out/Kurs_–_Übung_1_2");
+  CHECK(output_folder("../a\nb\u202e\xff", "") == "out/_.._a_b_\uFFFD");
+  CHECK(output_folder(std::string(99, 'a') + "ü", "") == "out/" + std::string(99, 'a'));
+  CHECK(output_folder("a", "b/c") == "b/c");
+  CHECK(output_folder("..", "") == "out/_..");
+  CHECK(output_folder("/abs", "") == "out/_abs");
 }
 
 TEST_CASE("a signal that was answered is told at the end, and after the end one ends the program",

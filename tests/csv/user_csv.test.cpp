@@ -38,7 +38,7 @@ std::string said_exactly(const std::string& text, const Request& request = {}) {
     }
   });
 }
-std::string said_of(const std::string& text, const Request& request = {}) {
+std::string statements_of(const std::string& text, const Request& request = {}) {
   return said_exactly(text, smaller(request));
 }
 
@@ -114,8 +114,8 @@ TEST_CASE("rows without a label are left out and counted") {
 
 TEST_CASE("rows of several metrics are asked about, and --where takes one") {
   const std::string text = text_in("tests/data/csv/mixed-metrics.csv");
-  CHECK(contains(said_of(text), "[] [--label solver --value value] [--label metric --value value]"));
-  CHECK(contains(said_of(text, {.values = {"value"}, .label = {"solver"}}), "[] [--block seed --block metric]"));
+  CHECK(contains(statements_of(text), "[] [--label solver --value value] [--label metric --value value]"));
+  CHECK(contains(statements_of(text, {.values = {"value"}, .label = {"solver"}}), "[] [--block seed --block metric]"));
   const Request chosen{.values = {"value"}, .label = {"solver"}, .run = "seed", .where = {"metric=error"}};
   CHECK(list_of(observations(text, chosen).groups.front()) == std::vector{0.10, 0.12, 0.11, 0.13});
   const std::string read = csv::read(text, "d.csv", smaller(chosen)).notes.front();
@@ -124,12 +124,12 @@ TEST_CASE("rows of several metrics are asked about, and --where takes one") {
   // A column that --where fixed is named.
   CHECK(finding("solver,metric,value\nA,e,1\nA,e,2\nA,t,9\nB,e,3\nB,e,4\nB,t,9\n", {.where = {"metric = e"}}).first ==
         "A");
-  CHECK(contains(said_of(text, {.where = {"metric=speed"}}), "'metric=error'"));
+  CHECK(contains(statements_of(text, {.where = {"metric=speed"}}), "'metric=error'"));
   // A mean is of one metric: of a text that nobody named its rows have one.
-  CHECK(
-      contains(said_of(text, {.values = {"value"}, .label = {"solver"}, .run = "seed"}), "in column 'metric' is not"));
-  CHECK(contains(said_of("s,p,metric,v\nA,x,e,1\nA,x,t,2\nB,x,e,3\nB,x,t,4\n",
-                         {.values = {"v"}, .label = {"s"}, .block = {"p"}, .run = "row"}),
+  CHECK(contains(statements_of(text, {.values = {"value"}, .label = {"solver"}, .run = "seed"}),
+                 "in column 'metric' is not"));
+  CHECK(contains(statements_of("s,p,metric,v\nA,x,e,1\nA,x,t,2\nB,x,e,3\nB,x,t,4\n",
+                               {.values = {"v"}, .label = {"s"}, .block = {"p"}, .run = "row"}),
                  "data.csv:3:3: 't' in column 'metric' is not 'e'"));
 }
 
@@ -225,10 +225,10 @@ TEST_CASE("which way is better is asked for, whatever a column is called") {
   CHECK(finding(outcomes, {.better = {"larger"}}).verdict == Verdict::worse);
   CHECK(observations(outcomes, {.better = {"smaller"}}).scale == EffectScale::share);
   CHECK(observations("s,a=b\nA,1.5\nB,2\n", {.better = {"a=b=larger"}}).better == Better::larger);
-  CHECK(contains(said_of(rates, {.better = {"rate=larger"}}), "success_rate"));
-  CHECK(contains(said_of(rates, {.better = {"bigger"}}), "expected smaller"));
+  CHECK(contains(statements_of(rates, {.better = {"rate=larger"}}), "success_rate"));
+  CHECK(contains(statements_of(rates, {.better = {"bigger"}}), "expected smaller"));
   for (const std::string column : {"", "success_rate="})
-    CHECK(contains(said_of(rates, {.better = {column + "smaller", column + "larger"}}), "contradicts"));
+    CHECK(contains(statements_of(rates, {.better = {column + "smaller", column + "larger"}}), "contradicts"));
 }
 
 TEST_CASE("values of 0 are what they are, and differences are compared") {
@@ -249,7 +249,7 @@ TEST_CASE("what missing values count as is asked, with an answer that runs") {
   for (const std::string gap : {"", "NA", "-", "nan", "None", "null", "#N/A"}) {
     CAPTURE(gap);
     const std::string text = "s,v\nA," + gap + "\nA,2\nA,1\nA,3\nA,4\nB,5\nB,6\nB,7\nB,8\n";
-    CHECK(contains(said_of(text), "1 of 9 rows have no value (A 1)"));
+    CHECK(contains(statements_of(text), "1 of 9 rows have no value (A 1)"));
     const auto answers = [&](bool are_means) {
       try {
         csv::read(text, "data.csv", smaller({.are_means = are_means}));
@@ -304,7 +304,7 @@ TEST_CASE("pairs are compared on the blocks that both have") {
       if (!(group == 'B' && p < 2) && !(group == 'C' && p > 9))
         text += fmt::format("{},{},{}\n", group, p, 1 + p + (group - 'A') * 0.5 + 0.01 * ((3 * p + group) % 5));
   const Request blocks{.block = {"p"}, .missing = "drop"};
-  CHECK(contains(said_of(text, {.block = {"p"}}), "4 of 36 rows have no value (C 2, B 2)"));
+  CHECK(contains(statements_of(text, {.block = {"p"}}), "4 of 36 rows have no value (C 2, B 2)"));
   const MetricSamples of = observations(text, blocks);
   const std::vector<Seen> pairs = judge::compared(of, {});
   REQUIRE(pairs.size() == 3);
@@ -406,8 +406,9 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
   CHECK(is_open(judge::compare(observed, {.test = Plan::Test::means}).front(), NotTested::NotTestedReason::infinite));
   CHECK(std::isinf(describe(observed.groups[1]).mean));
   CHECK(describe(observed.groups[1]).median == 11);
-  CHECK(contains(said_of(with_infinite(0, 3), {.values = {"v"}, .label = {"s"}, .run = "row", .better = {"larger"}}),
-                 "data.csv:17:3"));
+  CHECK(contains(
+      statements_of(with_infinite(0, 3), {.values = {"v"}, .label = {"s"}, .run = "row", .better = {"larger"}}),
+      "data.csv:17:3"));
 }
 
 TEST_CASE("one layout is read without names: a column of texts and one of numbers") {
@@ -423,32 +424,33 @@ TEST_CASE("one layout is read without names: a column of texts and one of number
 
 TEST_CASE("where a column stays unnamed it is asked what a row is") {
   const std::string text = "solver,seed,error\nA,1,1.5\nA,2,1.7\nB,1,2.5\nB,2,2.7\n";
-  CHECK(contains(said_of(text, {.label = {"solver"}, .better = {"larger"}}),
+  CHECK(contains(statements_of(text, {.label = {"solver"}, .better = {"larger"}}),
                  "[] [--value error --block seed] [--value error --run row]"));
-  CHECK(contains(said_of(text, {.values = {"error"}, .label = {"solver"}}), "[] [--block seed] [--run row]"));
+  CHECK(contains(statements_of(text, {.values = {"error"}, .label = {"solver"}}), "[] [--block seed] [--run row]"));
   for (const char* run : {"row", "seed"})
     CHECK(list_of(observations(text, {.values = {"error"}, .label = {"solver"}, .run = run}).groups[0]).size() == 2);
   CHECK(observations(text, {.values = {"error"}, .label = {"solver"}, .block = {"seed"}}).is_paired);
-  CHECK(contains(said_of(wide, {.label = {"columns"}}), "[] [--run row] [--block row]"));  // rows may be problems
+  CHECK(contains(statements_of(wide, {.label = {"columns"}}), "[] [--run row] [--block row]"));  // rows may be problems
 }
 
 TEST_CASE("a question fills in what has one answer, and each of its answers can be read") {
-  CHECK(contains(said_of(wide), as_columns));
+  CHECK(contains(statements_of(wide), as_columns));
   CHECK(contains(said_exactly(wide), "[--label columns --run row --better smaller]"));
   const std::string of_two = "solver,seed,error\nA,1,1.5\nA,2,1.7\nB,1,2.5\nB,2,2.7\n";
-  CHECK(
-      contains(said_of(of_two), "[] [--label solver --value error --block seed] [--label solver --value error --run "));
+  CHECK(contains(statements_of(of_two),
+                 "[] [--label solver --value error --block seed] [--label solver --value error --run "));
   // Each patient had one treatment, so no treatments are compared within patients.
   std::string patients = "treatment,patient,visit,pressure\n", nested;
   for (int i = 0; i < 36; ++i)
     patients += fmt::format("{},p{},{},{}.5\n", i % 4 < 2 ? "A" : "B", i % 4, i / 4, 100 + i * i % 17);
-  nested = said_of(patients, {.label = {"treatment"}});
+  nested = statements_of(patients, {.label = {"treatment"}});
   CHECK(contains(nested, "[--value pressure --run patient]"));
   CHECK_FALSE(contains(nested, "--block patient"));
-  CHECK(contains(said_of("problem,A,B\nx,1.5,2\ny,2,3.5\nz,2,2.5\n"), "[--label columns --block problem]"));
-  CHECK(contains(said_of("scene,A,B\nx,1.5,2\nx,2,3.5\nz,2,2.5\n"),
+  CHECK(contains(statements_of("problem,A,B\nx,1.5,2\ny,2,3.5\nz,2,2.5\n"), "[--label columns --block problem]"));
+  CHECK(contains(statements_of("scene,A,B\nx,1.5,2\nx,2,3.5\nz,2,2.5\n"),
                  "[] [--label scene --value A] [--label scene --value B]"));
-  CHECK(contains(said_of("id,v\n1,1.5\n1,1.7\n2,2.5\n2,4\n"), "[] [--label id --value v] [--label columns --run "));
+  CHECK(
+      contains(statements_of("id,v\n1,1.5\n1,1.7\n2,2.5\n2,4\n"), "[] [--label id --value v] [--label columns --run "));
   for (const std::string& text :
        {wide, of_two, patients, text_in("tests/data/csv/two-factors.csv"), text_in("tests/data/csv/mixed-metrics.csv"),
         text_in("tests/data/csv/versions.csv"), text_in("tests/data/csv/unequal-columns.csv"),
@@ -456,7 +458,7 @@ TEST_CASE("a question fills in what has one answer, and each of its answers can 
         std::string("plot,row,gen,yield\n1,1,A,5\n2,1,B,6\n3,2,A,5.5\n4,2,B,6.5\n"), std::string("a,b\n1.5,2\n1,3\n"),
         std::string("A,B\n0,1\n0,1\n1,0\n1,1\n")}) {
     for (const Request& request : {Request{}, Request{.better = {"larger"}}, Request{.label = {"columns"}}})
-      if (request.label.empty() || !contains(said_of(text, request), "there is only one")) follow(text, request);
+      if (request.label.empty() || !contains(statements_of(text, request), "there is only one")) follow(text, request);
   }
   CHECK(follow(wide, smaller({})) == 2);
 }
@@ -471,7 +473,7 @@ TEST_CASE("a column that numbers the rows is never asked for, unless it is the o
     const Quantities read = csv::read(with, "d.csv", smaller({}));
     CHECK(read.observed.front().quantity == "error");
     CHECK(contains(read.notes.front(), "not used: 'column 1'"));
-    CHECK(contains(said_of(columns), as_columns));
+    CHECK(contains(statements_of(columns), as_columns));
     CHECK(observations(columns, {.label = {"columns"}, .run = "row"}).groups.size() == 2);
     CHECK(observations(columns, {.label = {"columns"}, .block = {"column 1"}}).is_paired);
     // Rows that --where takes away leave it what it is.
@@ -479,9 +481,9 @@ TEST_CASE("a column that numbers the rows is never asked for, unless it is the o
           1);
   }
   CHECK(list_of(observations("s,v\nA,1\nA,2\nB,3\nB,4\n").groups[0]) == std::vector{1.0, 2.0});
-  CHECK(contains(said_of("v,w,s\n0,0,A\n1,2,A\n2,1,A\n4,5,B\n"),
+  CHECK(contains(statements_of("v,w,s\n0,0,A\n1,2,A\n2,1,A\n4,5,B\n"),
                  "[] [--label s --value v] [--label s --value w]"));  // 4 is no 3
-  CHECK(contains(said_of("n,v\n1,4\n2,6\n3,5\n", {.label = {"columns"}, .run = "row"}), "'n' numbers the rows"));
+  CHECK(contains(statements_of("n,v\n1,4\n2,6\n3,5\n", {.label = {"columns"}, .run = "row"}), "'n' numbers the rows"));
   CHECK(
       observations("n,v\n1,4\n2,6\n3,5\n", {.values = {"n", "v"}, .label = {"columns"}, .run = "row"}).groups.size() ==
       2);
@@ -503,7 +505,8 @@ TEST_CASE("rows in which Google Benchmark sums up others are left out, and told"
   Request asked = times;
   asked.where = {"name=BM_x_mean"};
   CHECK(list_of(observations(text, asked).groups[0]) == std::vector{7.5});
-  CHECK(contains(said_of(text + "\"BM_once\",5,8.5,8.5,us,,\n", times), "'us' in column 'time_unit' is not 'ns'"));
+  CHECK(
+      contains(statements_of(text + "\"BM_once\",5,8.5,8.5,us,,\n", times), "'us' in column 'time_unit' is not 'ns'"));
   // Other tables have labels as they like.
   CHECK(observations("name,v\nA,1\nA,2\nA_mean,1.5\nB,3\n").groups.size() == 3);
 }
@@ -513,7 +516,7 @@ TEST_CASE("`row` is the file's column where it has one") {
   const MetricSamples of = observations(text, {.values = {"yield"}, .label = {"gen"}, .block = {"row"}});
   CHECK(of.is_paired);
   CHECK(list_of(of.groups[0]) == std::vector{5.0, 5.5});
-  CHECK(contains(said_of(text, {.values = {"yield"}, .label = {"gen"}}), "[--block row]"));
+  CHECK(contains(statements_of(text, {.values = {"yield"}, .label = {"gen"}}), "[--block row]"));
 }
 
 TEST_CASE("a question describes the columns, of many those that may be labels and values") {
@@ -555,7 +558,7 @@ TEST_CASE("wide files have a group a column, which may end early where rows are 
   const Seen unequal = finding(text_in("tests/data/csv/unequal-columns.csv"), rows);
   CHECK(unequal.p.has_value());
   CHECK(list_of(observations(text_in("tests/data/csv/unequal-columns.csv"), rows).groups[1]).size() == 15);
-  CHECK(contains(said_of(text_in("tests/data/csv/unequal-columns.csv"), blocks), "--missing drop"));
+  CHECK(contains(statements_of(text_in("tests/data/csv/unequal-columns.csv"), blocks), "--missing drop"));
   const MetricSamples of_sets =
       observations("set,a,b\n2,1.5,4.5\n5,1.2,7\n3,2.1,6\n", {.label = {"columns"}, .block = {"set"}});
   CHECK(of_sets.is_paired);
@@ -584,8 +587,8 @@ TEST_CASE("tables of Markdown, org and MySQL, and thousands of the Swiss, are re
        {"\n\n| s | v |\n|---|---|\n| A | **7** |\n\n| B | 2 |\n", "=== ===\ns   v\n=== ===\nA   7\nB   2\n=== ===\n",
         "s v\nA 7\n# the second part\nB 2\n", "sep=;\ns;v, in kg, dry\nA;7\nB;2\n", "s,v\n#1,7\n#2,2\n"})
     CHECK(list_of(observations(text).groups[0]) == std::vector{7.0});
-  CHECK(
-      contains(said_of("A|B\n-|-\n1.5|2\n1.2|3\n", {.label = {"columns"}, .run = "row"}), "2 of 6 rows have no value"));
+  CHECK(contains(statements_of("A|B\n-|-\n1.5|2\n1.2|3\n", {.label = {"columns"}, .run = "row"}),
+                 "2 of 6 rows have no value"));
 }
 
 TEST_CASE("names are taken as they are, and none looks like another") {
@@ -593,9 +596,10 @@ TEST_CASE("names are taken as they are, and none looks like another") {
   // An index that pandas left without a name.
   CHECK(observations(",solver,error\n0,a,1.5\n1,a,2.25\n0,b,3.5\n1,b,4.25\n", {.block = {"column 1"}}).is_paired);
   CHECK(observations("so=lver,s,v\na=b,x,1.5\na=b,y,2.5\nc,x,9\n", {.where = {"so=lver=a=b"}}).groups.size() == 2);
-  CHECK(contains(said_of("s,v\n\xe4,1.5\n\xe4,2.5\n\xf6,3.5\n\xf6,4.5\n"), "data.csv:2: letters in another code"));
-  CHECK(contains(said_of("s,v\na,1\na\u200b,2\n"), "two groups look alike"));
-  CHECK(contains(said_of("s,v\n\"a\nb\",1.5\n\"a\nb\",2.5\na b,3.5\na b,4.5\n"), "two groups look alike"));
+  CHECK(
+      contains(statements_of("s,v\n\xe4,1.5\n\xe4,2.5\n\xf6,3.5\n\xf6,4.5\n"), "data.csv:2: letters in another code"));
+  CHECK(contains(statements_of("s,v\na,1\na\u200b,2\n"), "two groups look alike"));
+  CHECK(contains(statements_of("s,v\n\"a\nb\",1.5\n\"a\nb\",2.5\na b,3.5\na b,4.5\n"), "two groups look alike"));
 }
 
 TEST_CASE("True and False are 1 and 0") {
@@ -649,7 +653,7 @@ TEST_CASE("rows of a run are averaged where asked, else refused") {
   CHECK(list_of(observations("s,p,v\nA,x,1\nA,x,2\nB,x,3\nB,x,4\n", {.block = {"p"}, .run = "row"}).groups[0]) ==
         std::vector{1.5});
   // Of B's second run a point is missing.
-  CHECK(contains(said_of(text, {.block = {"point"}, .run = "run"}), "1 of 8 rows have no value (B 1)"));
+  CHECK(contains(statements_of(text, {.block = {"point"}, .run = "run"}), "1 of 8 rows have no value (B 1)"));
   const MetricSamples blocks = observations(text, {.block = {"point"}, .run = "run", .missing = "drop"});
   CHECK(list_of(blocks.groups[0]) == std::vector{1.5, 4.5});
   CHECK(list_of(blocks.groups[1]) == std::vector{8.0, 9.0});
@@ -732,17 +736,18 @@ TEST_CASE("printed means are compared by means") {
   CHECK(std::get<judge::SummaryStatistics>(rounds.observed.front().groups.back().sample).n == 30);
   const std::string of_hyperfine =
       "command,mean,stddev,median,user,system,min,max\na,1,.1,1,1,1,1,1\nb,2,.1,2,2,2,2,2\n";
-  CHECK(contains(said_of(of_hyperfine, summaries), "[--n N]"));
+  CHECK(contains(statements_of(of_hyperfine, summaries), "[--n N]"));
   Request with_n = summaries;
   with_n.n = 10;
   const MetricSamples ten = csv::read(of_hyperfine, "s.csv", with_n).observed.front();
   CHECK(std::get<judge::SummaryStatistics>(ten.groups.back().sample).n == 10);
-  CHECK(contains(said_of("name,n,mean,sd\nA,5,1,1\nB,5,2,1\n", with_n), "--n does, too"));
+  CHECK(contains(statements_of("name,n,mean,sd\nA,5,1,1\nB,5,2,1\n", with_n), "--n does, too"));
   // Who does not say --summaries is told, also where the labels are named.
-  CHECK(contains(said_of(of_hyperfine), "[--summaries --n N]"));
+  CHECK(contains(statements_of(of_hyperfine), "[--summaries --n N]"));
   const std::string of_three = "solver,best,average,std_dev,n_runs\nA,1,1.2,.1,20\nB,1,1.4,.1,20\nC,1,1.5,.1,20\n";
-  CHECK(contains(said_of(of_three), "[] [--summaries]"));
-  CHECK(contains(said_of(of_three, {.values = {"average"}, .label = {"solver"}, .run = "row"}), "[] [--summaries]"));
+  CHECK(contains(statements_of(of_three), "[] [--summaries]"));
+  CHECK(contains(statements_of(of_three, {.values = {"average"}, .label = {"solver"}, .run = "row"}),
+                 "[] [--summaries]"));
   CHECK(csv::read(of_three, "s.csv",
                   smaller({.values = {"average"}, .label = {"solver"}, .run = "row", .are_summaries = true}))
             .observed.front()
@@ -771,19 +776,19 @@ TEST_CASE("mistakes say where and what to do") {
       options.insert(options.end(), {option, value});
     }
     const Request request = with_options({}, options);
-    if (const std::string said = said_of(text, request); !said.empty()) throw std::invalid_argument(said);
+    if (const std::string said = statements_of(text, request); !said.empty()) throw std::invalid_argument(said);
   });
   const Quantities two = csv::read("s,error_cm,error_deg\nA,5,7\nA,6,8\nB,6,6\nB,9,4\n", "d.csv",
                                    smaller({.values = {"error_cm", "error_deg"}}));
   CHECK(two.observed[1].quantity == "error_deg");  // a name of its own
   CHECK(csv::read("s,v\nA,1\nB,2\n", "data.csv", smaller({.values = {"v", "v"}})).observed.size() == 1);
-  CHECK(contains(said_of(std::string("s,v\nA\0,1\n", 9)), "NUL"));
+  CHECK(contains(statements_of(std::string("s,v\nA\0,1\n", 9)), "NUL"));
   std::string many = "s,v\n";
   for (int i = 0; i <= 100; ++i) many += fmt::format("g{0},1\ng{0},2\n", i);
-  CHECK(contains(said_of(many), "100 groups"));
+  CHECK(contains(statements_of(many), "100 groups"));
   std::string long_one = "s,v\n";
   for (int i = 0; i <= 10'000'000; ++i) long_one += "A,1\n";
-  CHECK(contains(said_of(long_one), "10000000 rows"));
+  CHECK(contains(statements_of(long_one), "10000000 rows"));
 }
 
 TEST_CASE("of a million rows a run's are one value") {

@@ -62,8 +62,8 @@ Study study_of_faulty(const std::string& search) {
 
 // What the run says of a fault; its type has to be `Exception`. One solve is stored.
 template <class Exception>
-std::string said_of(const std::string& place, const std::function<void(Best&)>& fault,
-                    const std::string& search = "all_joints") {
+std::string statements_of(const std::string& place, const std::function<void(Best&)>& fault,
+                          const std::string& search = "all_joints") {
   Faulty::place = place;
   Faulty::fault = fault;
   const ScratchFolder folder;
@@ -87,7 +87,7 @@ void check_that_all_read(const StoredStudy& study, const Store& store, const std
   write_csv([&](const TakeSolve& take) { store.each_of_study(study, take); },
             [&](std::string_view part) { csv += part; }, store.names_of_extras(study));
   CHECK(parse_csv(csv, "solves.csv").rows() == solves.size());
-  show::publish(show::report_of(judge::judge(judge::read_study(store, study)), {}), folder / "report",
+  show::publish(show::make_report(judge::judge(judge::read_study(store, study)), {}), folder / "report",
                 {.only = {"none"}});
   CHECK(parsed_json(text_in(folder / "report/results.json")).is_object());
 }
@@ -235,13 +235,13 @@ TEST_CASE("a solve that no reader would take ends the run with its place, and th
 
 TEST_CASE("an exception of a solver is told of with solver, run and point", "[own_solver]") {
   for (const char* place : {"start", "step", "best"}) {
-    CHECK(said_of<std::runtime_error>(place, [](Best&) { throw std::runtime_error("no"); }) ==
+    CHECK(statements_of<std::runtime_error>(place, [](Best&) { throw std::runtime_error("no"); }) ==
           "mine, run 1, point 2: no");
-    CHECK(said_of<std::invalid_argument>(place, [](Best&) { throw std::invalid_argument("not this"); }) ==
+    CHECK(statements_of<std::invalid_argument>(place, [](Best&) { throw std::invalid_argument("not this"); }) ==
           "mine, run 1, point 2: not this");
-    CHECK(said_of<std::runtime_error>(place, [](Best&) { throw std::bad_alloc(); }) ==
+    CHECK(statements_of<std::runtime_error>(place, [](Best&) { throw std::bad_alloc(); }) ==
           "mine, run 1, point 2: std::bad_alloc");
-    CHECK_THAT(said_of<std::runtime_error>(place, [](Best&) { throw 5; }), StartsWith("mine, run 1, point 2: "));
+    CHECK_THAT(statements_of<std::runtime_error>(place, [](Best&) { throw 5; }), StartsWith("mine, run 1, point 2: "));
   }
 }
 

@@ -21,7 +21,7 @@ TEST_CASE("a study that names a peer that was not built is refused, or goes on w
   for (const MissingPeer& peer : missing_peers()) {
     CAPTURE(peer.name);
     const std::string entry = "[[solvers]]\nsolver = \"" + peer.name + "\"\nlabel = \"theirs\"\n";
-    const std::string said = said_of(entry + own_entry);
+    const std::string said = statements_of(entry + own_entry);
     CHECK(said.starts_with("my.toml:2"));
     CHECK(contains(said, peer.how));
     const Study without = read(entry + "if_missing = \"leave_out\"\n" + own_entry);
@@ -36,7 +36,7 @@ TEST_CASE("a study that names a peer that was not built is refused, or goes on w
 TEST_CASE("a solver that cannot solve for the study's arm or search is refused with the reason", "[study][peers]") {
   if (std::ranges::count(missing_peers(), "kdl_newton", &MissingPeer::name) > 0) return;
   const std::string newton = "[[solvers]]\nsolver = \"kdl_newton\"\n";
-  const std::string said = said_of("search = \"all_joints\"\n" + newton);
+  const std::string said = statements_of("search = \"all_joints\"\n" + newton);
   CHECK(said.starts_with("my.toml:3:10: "));
   CHECK(contains(said, "search = \"pose\""));
   CHECK(read("search = \"pose\"\n" + newton).solvers.size() == 1);

@@ -40,7 +40,7 @@ inline experiments::Study read(const std::string& toml, const experiments::Overr
   return experiments::parse_study(toml, "my.toml", completed(toml, overrides));
 }
 // The complaint about a file, or "" if it is a study.
-inline std::string said_of(const std::string& toml, const experiments::Overrides& overrides = {}) {
+inline std::string statements_of(const std::string& toml, const experiments::Overrides& overrides = {}) {
   return complaint<std::invalid_argument>([&] { read(toml, overrides); });
 }
 

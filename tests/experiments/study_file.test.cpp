@@ -205,8 +205,9 @@ TEST_CASE("a study's arm may be a file in the study's folder, and for --set in t
   CHECK(placed.initial == Eigen::Vector2d(45 * (std::numbers::pi / 180), 0.3));
   CHECK(nlohmann::json::parse(to_json(placed))["initial_deg"] == std::vector<double>{45, 0.3});
   CHECK(contains(to_toml(placed), "initial_deg = [45, 0.3]"));
-  CHECK(contains(said_of("robot = '" + slide + "'\nsearch = \"all_joints\"\ninitial_deg = [0, 0.6]\n" + solver_entry),
-                 "initial_deg is 0.1 m outside the limits of joint 2"));
+  CHECK(contains(
+      statements_of("robot = '" + slide + "'\nsearch = \"all_joints\"\ninitial_deg = [0, 0.6]\n" + solver_entry),
+      "initial_deg is 0.1 m outside the limits of joint 2"));
   const nlohmann::json arm = nlohmann::json::parse(to_json(study))["arm"];
   CHECK(arm["links"][1]["joint"] == "slides");
   CHECK(arm["links"][1]["limits_m"] == std::vector<double>{0.125, 0.5});
@@ -214,8 +215,9 @@ TEST_CASE("a study's arm may be a file in the study's folder, and for --set in t
 
   const std::string other = (folder.path / "slider.toml").string();
   CHECK(keys_of(read(planar + solver_entry, {"robot=" + other})) == keys_of(study));
-  CHECK(contains(said_of(planar + solver_entry, {"robot=slider.toml"}), "--set robot: there is no file slider.toml"));
-  CHECK(said_of("search = \"wrist\"\n" + solver_entry, {"robot=" + other}).find("has no spherical wrist") !=
+  CHECK(contains(statements_of(planar + solver_entry, {"robot=slider.toml"}),
+                 "--set robot: there is no file slider.toml"));
+  CHECK(statements_of("search = \"wrist\"\n" + solver_entry, {"robot=" + other}).find("has no spherical wrist") !=
         std::string::npos);
 
   // The numbers of the arm decide the series, its name does not.
@@ -246,11 +248,11 @@ TEST_CASE("a study's arm may be a URDF file, read as its table urdf says", "[stu
   CHECK(json["urdf"]["base"] == "link_1");
   CHECK_FALSE(nlohmann::json::parse(to_json(read(solver_entry))).contains("urdf"));
   CHECK(keys_of(parse_study(to_toml(soft), "again")) == keys_of(soft));
-  CHECK(contains(said_of(solver_entry, {robot, "urdf.tip=tol"}),
+  CHECK(contains(statements_of(solver_entry, {robot, "urdf.tip=tol"}),
                  "tip is \"tol\", which is no link; did you mean \"tool\"?"));
-  CHECK(contains(said_of(solver_entry, {robot, "urdf.snap_deg=0"}), "the arm is judged as the file prints it"));
+  CHECK(contains(statements_of(solver_entry, {robot, "urdf.snap_deg=0"}), "the arm is judged as the file prints it"));
   const std::string rounded = std::filesystem::absolute("tests/data/urdf/gen3.urdf").string();
-  CHECK(contains(said_of("search = \"wrist\"\n" + solver_entry, {"robot=" + rounded}),
+  CHECK(contains(statements_of("search = \"wrist\"\n" + solver_entry, {"robot=" + rounded}),
                  "0.35 mm from a common point and 0.00021 deg from right angles; expected \"all_joints\""));
   // The turns of axes that are almost parallel are stored where there are some.
   const Study calibrated = read("search = \"pose\"\n" + solver_entry,
@@ -290,7 +292,7 @@ TEST_CASE("a mistake in a study file is told with its place, its value and what 
                                    std::string("\x7f"
                                                "ELF\x02\x01\x01"),
                                    "runs = 3\n" + std::string(3, 0)})
-    CHECK(said_of(bytes + solver_entry).starts_with("my.toml:"));
+    CHECK(statements_of(bytes + solver_entry).starts_with("my.toml:"));
 }
 
 TEST_CASE("what is as good as what a mistake nearly was is read", "[study]") {
@@ -299,7 +301,7 @@ TEST_CASE("what is as good as what a mistake nearly was is read", "[study]") {
   CHECK(read("limits = \"enforced\"\ninitial_deg = [0, 120, 0, -120, 0, 0, 175]\n" + solver_entry).limits ==
         Limits::enforced);
   CHECK(read("name = \"" + std::string(200, 'x') + "\"\n" + solver_entry).name.size() == 200);
-  const std::string much = said_of("name = \"" + std::string(100'000, 'x') + "\"\n" + solver_entry);
+  const std::string much = statements_of("name = \"" + std::string(100'000, 'x') + "\"\n" + solver_entry);
   CHECK(contains(much, "x\"; expected a text of at most 200 bytes without control characters"));
   CHECK(much.size() < 300);
   const std::string pose = "robot = \"ur5e\"\nsearch = \"pose\"\n";
@@ -319,10 +321,10 @@ TEST_CASE("nesting deeper than anyone means is refused, not followed to the end 
     return text;
   };
   for (const std::string& text : {"a = " + repeated("[", 100'000), "a = " + repeated("{a = ", 100'000)})
-    CHECK(contains(said_of(text), "not TOML"));
+    CHECK(contains(statements_of(text), "not TOML"));
   for (const std::string& text : {"a" + repeated(".a", 100'000) + " = 1\n", "\n[a" + repeated(". a", 100'000) + "]\n"})
-    CHECK(contains(said_of(text), "expected less deeply nested keys"));
-  CHECK(contains(said_of(repeated("a.", 400) + "a = 1\n" + solver_entry), "unknown key \"a\""));
+    CHECK(contains(statements_of(text), "expected less deeply nested keys"));
+  CHECK(contains(statements_of(repeated("a.", 400) + "a = 1\n" + solver_entry), "unknown key \"a\""));
 }
 
 TEST_CASE("a study that lacks its arm or its path's kind is refused, and --set path.kind leaves the file's kind behind",
@@ -334,9 +336,9 @@ TEST_CASE("a study that lacks its arm or its path's kind is refused, and --set p
   CHECK(said("robot = \"ur5e\"\n[path]\npoints = 3\n" + solver_entry).starts_with("my.toml:2:1: path.kind is missing"));
   const std::string helix = "robot = 'kuka_iiwa14'\n[path]\nkind = 'helix'\nturns = 3\npoints = 7\n" + solver_entry;
   CHECK(read(helix, {"path.kind=random"}).path->points() == 7);
-  CHECK(contains(said_of(helix, {"path.kind=random", "path.turns=2"}), "unknown key \"turns\""));
+  CHECK(contains(statements_of(helix, {"path.kind=random", "path.turns=2"}), "unknown key \"turns\""));
   if (missing_peers().empty())
-    CHECK(contains(said_of("[[solvers]]\nsolver = 'trac_ik'\n"),
+    CHECK(contains(statements_of("[[solvers]]\nsolver = 'trac_ik'\n"),
                    "unknown solver \"trac_ik\"; did you mean \"newton_slsqp\""));
 }
 
@@ -439,7 +441,7 @@ TEST_CASE("an override sets a solver's own population, by its label or its solve
 
 TEST_CASE("a kind of path in an override has that kind's keys", "[study][set]") {
   CHECK(read(solver_entry, {"path.kind=random", "path.points=3"}).path->points() == 3);
-  CHECK(said_of(solver_entry, {"path.kind=random", "path.tool=down"})
+  CHECK(statements_of(solver_entry, {"path.kind=random", "path.tool=down"})
             .starts_with("--set path.tool: unknown key \"tool\""));
 }
 
@@ -460,21 +462,21 @@ TEST_CASE("a mistake in an override is reported as that of --set, not of the fil
 }
 
 TEST_CASE("a mistake in another option is reported as that option's", "[study][set][mistakes]") {
-  CHECK(said_of(solver_entry, {"--robot robot=ur5f"}).starts_with("--robot: unknown robot"));
-  CHECK(said_of(solver_entry, {"--tip urdf.tip=tool0"}).starts_with("--tip: [urdf] is about"));
-  CHECK(said_of(solver_entry, {"--sweep ik_bat.alpha=[7, ]"}).starts_with("--sweep: "));
+  CHECK(statements_of(solver_entry, {"--robot robot=ur5f"}).starts_with("--robot: unknown robot"));
+  CHECK(statements_of(solver_entry, {"--tip urdf.tip=tool0"}).starts_with("--tip: [urdf] is about"));
+  CHECK(statements_of(solver_entry, {"--sweep ik_bat.alpha=[7, ]"}).starts_with("--sweep: "));
 }
 
 TEST_CASE("an override is key=value", "[study][set][mistakes]") {
   for (const std::string malformed : {"", "=", "=3", "runs", "runs 5", ".alpha=0.5", "ik_bat.=0.5", "."}) {
     INFO(malformed);
-    const std::string message = said_of(solver_entry, {malformed});
+    const std::string message = statements_of(solver_entry, {malformed});
     INFO(message);
     CHECK(message.starts_with("--set"));
     CHECK(contains(message, "expected"));
   }
-  CHECK(said_of(solver_entry, {std::string(100'000, 'a') + "=1"}).size() < 400);
-  CHECK(said_of(solver_entry, {"a" + std::string(100'000, '.') + "b=1"}).size() < 400);
-  CHECK(said_of(solver_entry, {"title=" + std::string(100'000, '[')}).size() < 400);
-  CHECK(contains(said_of(solver_entry, {"path=3", "path.points=3"}), "--set path"));
+  CHECK(statements_of(solver_entry, {std::string(100'000, 'a') + "=1"}).size() < 400);
+  CHECK(statements_of(solver_entry, {"a" + std::string(100'000, '.') + "b=1"}).size() < 400);
+  CHECK(statements_of(solver_entry, {"title=" + std::string(100'000, '[')}).size() < 400);
+  CHECK(contains(statements_of(solver_entry, {"path=3", "path.points=3"}), "--set path"));
 }

@@ -54,14 +54,14 @@ TEST_CASE("a swept study is written entry by entry, and read again with the same
 }
 
 TEST_CASE("mistakes in a sweep are told with their place and what was expected", "[sweep]") {
-  CHECK(contains(said_of(two_bats, {sweep_override("BB.alpha=0.5")}), "unknown solver \"BB\""));
-  CHECK(contains(said_of(two_bats, {sweep_override("alhpa=0.5")}),
+  CHECK(contains(statements_of(two_bats, {sweep_override("BB.alpha=0.5")}), "unknown solver \"BB\""));
+  CHECK(contains(statements_of(two_bats, {sweep_override("alhpa=0.5")}),
                  "--sweep alhpa: unknown setting \"alhpa\"; did you mean \"alpha\"?"));
-  CHECK(contains(said_of(two_bats, {sweep_override("BA.alhpa=0.5")}), "alpha"));
-  CHECK(contains(said_of(two_bats, {sweep_override("population=1,b")}), "a whole number"));
+  CHECK(contains(statements_of(two_bats, {sweep_override("BA.alhpa=0.5")}), "alpha"));
+  CHECK(contains(statements_of(two_bats, {sweep_override("population=1,b")}), "a whole number"));
   for (const std::string text : {"population", "=1", "population="})
     CHECK(contains(complaint<std::invalid_argument>([&] { sweep_override(text); }), "expected setting=values"));
-  CHECK(contains(said_of(two_bats, {sweep_override("alpha=nan,1")}), "a finite number"));
+  CHECK(contains(statements_of(two_bats, {sweep_override("alpha=nan,1")}), "a finite number"));
 }
 
 TEST_CASE("a study has at most 400 entries, swept ones too", "[sweep]") {
@@ -69,9 +69,9 @@ TEST_CASE("a study has at most 400 entries, swept ones too", "[sweep]") {
   for (int value = 2; value <= 40; ++value) values += "," + std::to_string(value);
   const Overrides both{sweep_override("IK-BA.population=" + values),
                        sweep_override("IK-BA.alpha=0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,0.95,0.99")};
-  CHECK(contains(said_of(two_bats, both), "the sweep of IK-BA makes more than 400 solvers"));
+  CHECK(contains(statements_of(two_bats, both), "the sweep of IK-BA makes more than 400 solvers"));
   const Overrides each{sweep_override("population=" + values), sweep_override("alpha=0.1,0.2,0.3,0.4,0.5,0.6")};
-  CHECK(contains(said_of(two_bats, each), "the entries make more than 400 solvers; expected at most 400"));
+  CHECK(contains(statements_of(two_bats, each), "the entries make more than 400 solvers; expected at most 400"));
 }
 
 TEST_CASE("a label that is kept may have commas", "[sweep]") {
@@ -126,5 +126,5 @@ TEST_CASE("a control that is swept or left out is none, which is told", "[sweep]
   keep_only(whole, {"IK-BA"});
   CHECK(labels_of(whole) == SweptLabels{"IK-BA"});
   CHECK(whole.plan.control.empty());
-  CHECK(contains(said_of(two_bats + "[analysis]\ncontrol = \"AB\"\n"), "unknown label \"AB\""));
+  CHECK(contains(statements_of(two_bats + "[analysis]\ncontrol = \"AB\"\n"), "unknown label \"AB\""));
 }

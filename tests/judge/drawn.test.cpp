@@ -15,7 +15,7 @@ namespace ikbench::second {
 using Real = long double;
 using Reals = std::vector<Real>;
 using Names = std::vector<std::string>;
-using Ends = std::pair<Real, Real>;
+using Boundaries = std::pair<Real, Real>;
 
 Real real(auto count) { return static_cast<Real>(count); }
 
@@ -121,7 +121,7 @@ Table drawn_table(int number) {
 struct Found {
   Real p = 1, estimate = 0;
   int direction = 0;
-  std::optional<Ends> interval = {};
+  std::optional<Boundaries> interval = {};
 };
 
 int sign_of(Real value) { return (value > 0) - (value < 0); }
@@ -268,12 +268,12 @@ Found paired_t(const Reals& differences, Real level) {
   return of_t(mean_of(differences), variance_of(differences) / n, n - 1, std::pow(Real(2), 1 - n), level);
 }
 
-Ends wilson_ends(Real share, Real n, Real level) {
+Boundaries wilson_ends(Real share, Real n, Real level) {
   const Real z = boost::math::quantile(boost::math::complement(boost::math::normal(), static_cast<double>(level / 2)));
   const Real root = z * std::sqrt(z * z + 4 * n * share * (1 - share)), middle = 2 * n * share + z * z;
   return {share == 0 ? 0 : (middle - root) / (2 * (n + z * z)), share == 1 ? 1 : (middle + root) / (2 * (n + z * z))};
 }
-Ends newcombe_ends(Real a, Real m, Real b, Real n, Real phi, Real level) {
+Boundaries newcombe_ends(Real a, Real m, Real b, Real n, Real phi, Real level) {
   const auto [l1, u1] = wilson_ends(a, m, level);
   const auto [l2, u2] = wilson_ends(b, n, level);
   const auto root = [&](Real d, Real e) { return std::sqrt(std::max(Real(0), d * d - 2 * phi * d * e + e * e)); };
@@ -309,7 +309,7 @@ struct Right {
   bool is_small = false, few_decide = false;
   Real p = 1, none = 0, ahead = 0, behind = 0;
   std::optional<Real> estimate = {};
-  std::optional<Ends> interval = {};
+  std::optional<Boundaries> interval = {};
 };
 using Rights = std::map<std::pair<std::string, std::string>, Right>;  // of the first, by names
 
@@ -337,10 +337,10 @@ Right right_of(const Table& table, const Reals& first, const Reals& second, Real
   if (table.is_share && found.interval)
     found.interval = {std::max(Real(-1), found.interval->first), std::min(Real(1), found.interval->second)};
   const Real margin = table.is_ratio() ? std::log(1.05L) : table.margin(centre_of(table, a), centre_of(table, b));
-  const auto is_inside = [&](const Ends& ends) {
+  const auto is_inside = [&](const Boundaries& ends) {
     return ends.first >= -margin * (1 + 1e-9L) && ends.second <= margin * (1 + 1e-9L);
   };
-  const auto held = [](const Found& its) { return its.interval.value_or(Ends(its.estimate, its.estimate)); };
+  const auto held = [](const Found& its) { return its.interval.value_or(Boundaries(its.estimate, its.estimate)); };
   const Real apart = centre_of(table, a) - centre_of(table, b);
   const bool is_decided = found.p * tests < 0.05L, has_width = held(found).first < held(found).second;
   const bool could_fail =
@@ -371,9 +371,9 @@ Right right_of(const Table& table, const Reals& first, const Reals& second, Real
   if (is_refuted) right.estimate.reset(), found.interval.reset();
   if (!found.interval) return right;
   const Real low = shown(found.interval->first), high = shown(found.interval->second);
-  right.interval = !is_decided           ? Ends(std::min(right.none, low), std::max(right.none, high))
-                   : found.direction > 0 ? Ends(std::max(right.none, low), high)
-                                         : Ends(low, std::min(right.none, high));
+  right.interval = !is_decided           ? Boundaries(std::min(right.none, low), std::max(right.none, high))
+                   : found.direction > 0 ? Boundaries(std::max(right.none, low), high)
+                                         : Boundaries(low, std::min(right.none, high));
   return right;
 }
 
@@ -495,9 +495,9 @@ std::string untruth_in(const std::string& text, const Table& table, const show::
 
 // The same of the words of a pair, and of its numbers as they are printed.
 std::string untruth_in(const Comparison& finding, const JudgedMetric& judged, const Right& right) {
-  const std::string words = show::verdict_words(finding, judged);
+  const std::string words = show::comparison_text(finding, judged);
   const std::optional<EffectEstimate>& its_amount = finding.amount;
-  const std::set<double> ends = show::ends_of(finding, judged);
+  const std::set<double> ends = show::null_and_margin(finding, judged);
   const std::string amount = its_amount && its_amount->interval
                                  ? fmt::format("{} ({})", show::number_text(its_amount->value),
                                                show::interval_text(*its_amount->interval, {ends.begin(), ends.end()}))
@@ -568,7 +568,7 @@ TEST_CASE("drawn tables are judged as a second reference judges them", "[drawn][
       if (right.verdict == Verdict::not_tested || its.verdict == Verdict::not_tested) continue;
       const bool has_p = its.p.has_value(), has_end = its.interval.has_value(), has_value = its.estimate.has_value();
       const Interval found = its.interval.value_or(Interval{});
-      const auto [low, high] = right.interval.value_or(Ends(0, 0));
+      const auto [low, high] = right.interval.value_or(Boundaries(0, 0));
       check_pair("p", has_p != right.few_decide && (!has_p || is_near(*its.p / static_cast<double>(right.p), 1)));
       check_pair("estimate", has_value == right.estimate.has_value() &&
                                  is_near(its.estimate.value_or(0), right.estimate.value_or(0)));

@@ -298,7 +298,7 @@ TEST_CASE("what a headline goes on to is wrong no more often than it says", "[er
       double& share = shares.emplace_back();
       for (int set = 0; set < sets; ++set) {
         const show::Answer answer = drawn_answer(random, k, least_solved, are_times_judged);
-        const std::vector<show::Question> questions = show::questions_of(answer);
+        const std::vector<show::Question> questions = show::headline_questions(answer);
         share += questions.size() > 1 && std::ranges::any_of(questions[1].said, is_wrong);
       }
       share /= sets;

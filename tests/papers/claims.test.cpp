@@ -57,7 +57,7 @@ TEST_CASE("a claim about solvers of one study has the verdicts of its report", "
         Tally tally;
         for (const auto& row : pairs.rows) {
           const auto cell = [&](std::size_t column) {
-            const auto* const judged = std::get_if<ikbench::show::Judgement>(&row[column]);
+            const auto* const judged = std::get_if<ikbench::show::VerdictCell>(&row[column]);
             return judged ? judged->words : std::get<std::string>(row[column]);
           };
           const auto is_own = [&](std::size_t column) { return std::ranges::count(claim.solvers, cell(column)) > 0; };
@@ -274,7 +274,7 @@ TEST_CASE("claims are told by verdict, with the whole count of readings", "[pape
   REQUIRE(most != table.rows.end());
   CHECK(std::get<std::string>((*most)[3]) == "65 hold, 460 fail, 339 open");
   CHECK(std::get<std::string>(table.rows.back()[3]) == "not counted");
-  CHECK(std::get<ikbench::show::Judgement>(table.rows.back()[1]).words == "not tested");
+  CHECK(std::get<ikbench::show::VerdictCell>(table.rows.back()[1]).words == "not tested");
   CHECK(contains(show::to_text(means_table(repeated(study))), "0.00194 cm   0.0019 "));
   const std::string text = screen({"A sentence."}, {.caption = "Table"}, claims);
   CHECK(text.find("\nholds  ") < text.find("\nnot tested  "));

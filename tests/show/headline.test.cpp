@@ -29,10 +29,11 @@ Answer answer_of_three(std::vector<double> time_of_b, bool are_times_compared = 
 }  // namespace
 
 TEST_CASE("of whom the first metric leaves open the first of the plan that is judged is told", "[show]") {
-  CHECK(second_sentence(answer_of_three(values_around(0.03, 0.3))) == "A is the fastest; B takes 3 times as long.");
-  CHECK(second_sentence(answer_of_three(values_around(0.01, 0.2))) ==
+  CHECK(tie_breaker_sentence(answer_of_three(values_around(0.03, 0.3))) ==
+        "A is the fastest; B takes 3 times as long.");
+  CHECK(tie_breaker_sentence(answer_of_three(values_around(0.01, 0.2))) ==
         "No difference in time is shown.");  // a third question would have to share the second's significance
-  CHECK(second_sentence(answer_of_three(values_around(0.03, 0.3), false)) ==
+  CHECK(tie_breaker_sentence(answer_of_three(values_around(0.03, 0.3), false)) ==
         "Time is not judged (not comparable). A needs the fewest evaluations; B takes 2 times as many.");
 }
 
@@ -45,7 +46,7 @@ TEST_CASE("ratios of many are told from the least to the largest, or once", "[sh
     }
     Answer answer = answer_of(std::vector{judged(shares(all_solved)), judged(numbers("time", "time", "ms", times))});
     answer.then = results::all_thens;
-    return second_sentence(answer);
+    return tie_breaker_sentence(answer);
   };
   CHECK(said(0.02) == "A is the fastest; 6 others take 2 to 10 times as long.");
   CHECK(said(0.0999) == "A is the fastest; 6 others take 10 times as long.");
@@ -54,20 +55,20 @@ TEST_CASE("ratios of many are told from the least to the largest, or once", "[sh
 TEST_CASE("one that is best alone, and what is no study, have no second question", "[show]") {
   Answer answer = answer_of_three(values_around(0.03, 0.3));
   answer.then = {};
-  CHECK(second_sentence(answer).empty());
+  CHECK(tie_breaker_sentence(answer).empty());
   Answer alone = answer_of(std::vector{judged(shares({{"A", solved(20)}, {"B", solved(2)}}))});
   alone.then = results::all_thens;
-  CHECK(second_sentence(alone).empty());
+  CHECK(tie_breaker_sentence(alone).empty());
   answer.then = results::all_thens;
   answer.metrics.front().plan.control = "C";
-  CHECK(second_sentence(answer).empty());
+  CHECK(tie_breaker_sentence(answer).empty());
 }
 
 TEST_CASE("the plan says what a headline goes on to", "[show]") {
   Answer answer = answer_of_three(values_around(0.03, 0.3));
   answer.then = {"evaluations", "time"};
-  CHECK(second_sentence(answer).starts_with("A needs the fewest evaluations"));
-  CHECK(what_decides(answer) == "Judged by solved, then evaluations");
+  CHECK(tie_breaker_sentence(answer).starts_with("A needs the fewest evaluations"));
+  CHECK(ranking_note(answer) == "Judged by solved, then evaluations");
 }
 
 TEST_CASE("numbers of a headline stand behind their solvers, equal ones together", "[show]") {

@@ -32,7 +32,7 @@ std::string table_of_verdicts(const Answer& answer) {
   std::string text;
   for (const judge::JudgedMetric& judged : answer.metrics) {
     for (const judge::Comparison& finding : judged.findings)
-      text += fmt::format("  {} vs {}: {}\n", finding.first, finding.second, verdict_words(finding, judged));
+      text += fmt::format("  {} vs {}: {}\n", finding.first, finding.second, comparison_text(finding, judged));
   }
   return text;
 }
@@ -43,8 +43,8 @@ TEST_CASE("what is better where most values are equal says how often", "[show]")
   std::vector<double> at_tolerance(60, 0.01), some = at_tolerance;
   for (std::size_t i = 0; i < 15; ++i) some[i] = 1 + static_cast<double>(i);
   const judge::JudgedMetric error = judged(errors({{"A", at_tolerance}, {"B", some}}));
-  CHECK(verdict_words(error.findings.front(), error) == "better");
-  CHECK(effect_words(error.findings.front()) == "better in 25 %, worse in 0 % of comparisons");
+  CHECK(comparison_text(error.findings.front(), error) == "better");
+  CHECK(dominance_text(error.findings.front()) == "better in 25 %, worse in 0 % of comparisons");
 }
 
 TEST_CASE("an end of an interval that p excludes says so", "[show]") {
@@ -61,7 +61,7 @@ TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
     of.observations.doubts.push_back({.kind = judge::WarningKind::dominated_by_few, .who = {"A"}, .what = name});
     return of;
   };
-  const std::vector<judge::Doubt> doubts = answer_of({metric("time"), metric("evaluations")}).all_doubts();
+  const std::vector<judge::Doubt> doubts = answer_of({metric("time"), metric("evaluations")}).all_warnings();
   REQUIRE(doubts.size() == 1);
   CHECK(doubts.front().what == "time, evaluations");
 }
@@ -69,7 +69,7 @@ TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
 TEST_CASE("a limit of one is one", "[show]") {
   judge::StudyResults study = judged_study().study;
   study.definition.stop = {.iterations = 1, .evaluations = 1, .seconds = 0.001};
-  CHECK(stops_of(study) == "1 iteration, 1 evaluation or 1 ms");
+  CHECK(budget_text(study) == "1 iteration, 1 evaluation or 1 ms");
 }
 
 TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {

@@ -12,8 +12,8 @@ figures::Figure figure(const std::string& name) {
           .data = "1 2\n2 1\n"};
 }
 
-Report report_of(const std::string& mine = "mine") {
-  return ikbench::show::report_of(judged_study(mine), {figure("solved"), figure("error-boxes")});
+Report make_report(const std::string& mine = "mine") {
+  return ikbench::show::make_report(judged_study(mine), {figure("solved"), figure("error-boxes")});
 }
 
 std::size_t lines_in(const std::string& text) { return static_cast<std::size_t>(std::ranges::count(text, '\n')); }
@@ -34,7 +34,7 @@ Answer of_many(std::size_t solvers) {
 TEST_CASE("each section has its words", "[show]") {
   const ScratchFolder folder;
   for (const char* name : {"solved.svg", "error-boxes.svg"}) base::write_file(folder.path / "figures" / name, "");
-  for (const Blocks& blocks : sections_of(report_of())) {
+  for (const Blocks& blocks : report_sections(make_report())) {
     const std::string text = to_markdown({blocks}, folder.path);
     std::string name = std::get<Heading>(blocks.front()).text;
     if (name.ends_with('.')) name = "first";
@@ -42,11 +42,11 @@ TEST_CASE("each section has its words", "[show]") {
     std::erase(name, '?');
     check_golden(name + ".md", text);
   }
-  check_golden("screen.txt", screen(report_of().answer, "out/mine/report.html"));
+  check_golden("screen.txt", screen(make_report().answer, "out/mine/report.html"));
 }
 
 TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
-  const Report report = report_of();
+  const Report report = make_report();
   const auto json = to_json(report.answer);
   const Table results = results_table(report.answer);
   const std::string on_screen = screen(report.answer);
@@ -54,7 +54,7 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
     const auto& solver = std::get<std::string>(row[0]);
     for (std::size_t c = 1; c < row.size(); ++c) {
       const std::string& metric = results.columns[c].name;
-      const auto* marked = std::get_if<Marked>(&row[c]);
+      const auto* marked = std::get_if<ValueCell>(&row[c]);
       if (std::holds_alternative<std::monostate>(row[c])) continue;
       if (marked && marked->to_reference) {
         const auto of = std::ranges::find(report.answer.metrics, metric,
@@ -106,7 +106,7 @@ TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
     errors.is_paired = true;
     return errors;
   };
-  add("a study of three", report_of().answer);
+  add("a study of three", make_report().answer);
   add("two", of(errors_of(2)));
   add("two by means", of(errors_of(2), {.test = results::Plan::Test::means}));
   add("ten", of(errors_of(10)));
@@ -162,18 +162,18 @@ TEST_CASE("below the pairs of two solvers stands which metric decides", "[show]"
   };
   Answer two = answer_of({of_two("error"), of_two("effort")}, 1);
   const auto is_told = [](const Answer& answer) {
-    return screen(answer).find(what_decides(answer)) != std::string::npos;
+    return screen(answer).find(ranking_note(answer)) != std::string::npos;
   };
-  CHECK(what_decides(two) == "Judged by effort");
+  CHECK(ranking_note(two) == "Judged by effort");
   CHECK(is_told(two));
-  CHECK(pairs_table(two).notes.front().starts_with(what_decides(two)));
+  CHECK(pairs_table(two).notes.front().starts_with(ranking_note(two)));
   two.verdict = "A is worse.";
   two.metrics[1].observations.doubts.push_back(
       {.kind = judge::WarningKind::time_limit_decides, .who = {"A"}, .what = "slow"});
   CHECK(screen(two).starts_with("A is worse.\n\n"));
   CHECK(screen(two).find("! A was stopped by the time limit") != std::string::npos);
-  CHECK(what_decides(two).find("effort") == std::string::npos);
-  CHECK(what_decides(answer_of({of_two("error")})).empty());
+  CHECK(ranking_note(two).find("effort") == std::string::npos);
+  CHECK(ranking_note(answer_of({of_two("error")})).empty());
   CHECK(is_told(answer_of(judged_study())));  // others have marks, too
 }
 
@@ -181,7 +181,7 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
   const ScratchFolder folder;
   const std::string hostile = "mine</script><script>alert(1)</script>{{scripts}}|";
   const figures::RenderOptions options{.gnuplot = "none"};
-  Report before = report_of();
+  Report before = make_report();
   before.figures.push_back(figure("joints"));
   base::write_file(folder.path / "store.sqlite", "not ours");
   base::write_file(folder.path / "solves.csv", "");
@@ -193,7 +193,7 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
                                [](const auto& entry) { return entry.path().stem() == "joints"; });
   };
   CHECK(has_gone());
-  const Written written = publish(report_of(hostile), folder.path, options);
+  const Written written = publish(make_report(hostile), folder.path, options);
   CHECK_FALSE(has_gone());
   CHECK(fs::exists(folder.path / "store.sqlite"));
   CHECK(fs::exists(folder.path / "tables" / "own.csv"));
@@ -222,9 +222,9 @@ TEST_CASE("only files that a report has written are replaced or removed", "[show
       "store.sqlite", "../precious.csv", "tables/../../precious.csv", 7]})");
   const std::string list = text_in(out / "results.json");
   write_text(out / "results.json", R"({"experiment": 7, )" + list.substr(1));  // somebody else's
-  CHECK_THROWS_AS(publish(report_of(), out, {.only = {"none"}}), std::invalid_argument);
+  CHECK_THROWS_AS(publish(make_report(), out, {.only = {"none"}}), std::invalid_argument);
   write_text(out / "results.json", list);
-  publish(report_of(), out, {.only = {"none"}});
+  publish(make_report(), out, {.only = {"none"}});
   CHECK_FALSE(fs::exists(out / "tables" / "table-8.csv"));
   for (const char* file : {"tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious.csv"})
     CHECK(fs::exists(out / file));
@@ -234,16 +234,16 @@ TEST_CASE("only files that a report has written are replaced or removed", "[show
     base::write_file(other / name, "not ours");
     CHECK_THROWS_WITH(claim(other, {name}), ContainsSubstring(name));
     if (name != std::string("solves.csv"))  // which publish does not write
-      CHECK_THROWS_WITH(publish(report_of(), other, {.gnuplot = "none"}), ContainsSubstring(name));
+      CHECK_THROWS_WITH(publish(make_report(), other, {.gnuplot = "none"}), ContainsSubstring(name));
     CHECK(*base::read_file(other / name) == "not ours");
     fs::remove(other / name);
     fs::create_symlink("nowhere", other / name);
     CHECK_THROWS_WITH(claim(other, {name}), ContainsSubstring(name));
   }
   // A report that was killed is continued.
-  claim(killed, files_of({"results"}, {}));
+  claim(killed, report_files({"results"}, {}));
   base::write_file(killed / "tables" / "results.csv", "");
-  CHECK_NOTHROW(claim(killed, files_of({"results"}, {})));
+  CHECK_NOTHROW(claim(killed, report_files({"results"}, {})));
 }
 
 TEST_CASE("of several studies each is a column, solvers in the order of the first", "[show]") {
@@ -253,9 +253,9 @@ TEST_CASE("of several studies each is a column, solvers in the order of the firs
   CHECK(table.columns[2].name == "on-two");
   CHECK(table.rows.size() == 3);
   CHECK(std::get<std::string>(table.rows[0][0]) == "A");
-  CHECK(std::get<Marked>(table.rows[1][1]).mark == "*");
-  CHECK(std::get<Absent>(table.rows[2][1]).why == "not in the study");
-  CHECK_FALSE(std::get<Marked>(table.rows[1][1]).interval);  // nor does a note speak of one
+  CHECK(std::get<ValueCell>(table.rows[1][1]).mark == "*");
+  CHECK(std::get<MissingCell>(table.rows[2][1]).why == "not in the study");
+  CHECK_FALSE(std::get<ValueCell>(table.rows[1][1]).interval);  // nor does a note speak of one
   CHECK(to_text({.columns = {{"solver"}}, .rows = {{std::string(50, 'x')}}}).size() < 50);  // nor is a name long
 }
 
@@ -343,7 +343,7 @@ TEST_CASE("where only the reference was timed on a busy machine, it alone has th
   const Table table = results_table(
       answer_of({judged(shares({{"A", solved(20)}, {"B", solved(9)}, {"C", solved(8)}})), judged(std::move(times))}));
   std::string marks;
-  for (const auto& row : table.rows) marks += std::get<Marked>(row[2]).mark + ';';
+  for (const auto& row : table.rows) marks += std::get<ValueCell>(row[2]).mark + ';';
   CHECK(marks == "!;;;");
 }
 
@@ -356,7 +356,7 @@ TEST_CASE("a leader that no test reached is marked", "[show]") {
   const Answer of =
       answer_of({judged(numbers("error", "error", "mm", {{"A", by(1, 2)}, {"B", by(2, 7)}, {"C", by(3, 7)}}))});
   const Table table = results_table(of);
-  const auto cell = [&](std::size_t row) { return std::get<Marked>(table.rows[row][1]); };
+  const auto cell = [&](std::size_t row) { return std::get<ValueCell>(table.rows[row][1]); };
   CHECK(cell(0).mark == "!");
   CHECK(cell(1).mark.empty());
   CHECK(cell(2).mark == "*");
@@ -365,11 +365,11 @@ TEST_CASE("a leader that no test reached is marked", "[show]") {
 TEST_CASE("unpaired and paired values have tests of all solvers", "[show]") {
   judge::MetricSamples of = numbers("error", "error", "mm", {{"A", values_around(1, 1)}, {"B", values_around(2, 1)}});
   const results::Plan by_means{.test = results::Plan::Test::means};
-  CHECK(anova_table(answer_of({judged(of, by_means)})).rows.size() == 4);
-  CHECK(anova_table(answer_of({judged(of)})).rows.size() == 4);
+  CHECK(omnibus_table(answer_of({judged(of, by_means)})).rows.size() == 4);
+  CHECK(omnibus_table(answer_of({judged(of)})).rows.size() == 4);
   // The share of the groups is partial where that of blocks is left out.
   const auto has = [&](const char* title) {
-    const Table table = anova_table(answer_of({judged(of)}));
+    const Table table = omnibus_table(answer_of({judged(of)}));
     const auto column = std::ranges::find(table.columns, title, &Column::name) - table.columns.begin();
     return std::holds_alternative<double>(table.rows[0].at(static_cast<std::size_t>(column)));
   };
@@ -378,19 +378,19 @@ TEST_CASE("unpaired and paired values have tests of all solvers", "[show]") {
   of.is_paired = true;
   CHECK_FALSE(has("eta squared"));
   CHECK(has("partial eta squared"));
-  CHECK(std::get<std::string>(anova_table(answer_of({judged(of)})).rows[0][1]) == "ANOVA of repeated measures");
+  CHECK(std::get<std::string>(omnibus_table(answer_of({judged(of)})).rows[0][1]) == "ANOVA of repeated measures");
   of.groups[1].sample = judge::Measured{.values = {2}, .repeats_itself = true};
-  CHECK(anova_table(answer_of({judged(of)})).rows.empty());
+  CHECK(omnibus_table(answer_of({judged(of)})).rows.empty());
 }
 
 TEST_CASE("a report without a picture has no folder of pictures", "[show]") {
   const ScratchFolder folder;
-  publish(report_of(), folder.path, {.gnuplot = "none"});
-  publish(report_of(), folder.path / "drawn", {.only = {"none"}});
+  publish(make_report(), folder.path, {.gnuplot = "none"});
+  publish(make_report(), folder.path / "drawn", {.only = {"none"}});
   CHECK_FALSE(fs::exists(folder.path / "drawn" / "figures"));
   for (const char* file : {"report.html", "report.md"})
     CHECK_FALSE(contains(text_in(folder.path / "drawn" / file), "Pictures"));
-  Report none = report_of();
+  Report none = make_report();
   none.figures.clear();
   for (const std::string& file : publish(none, folder.path, {}).files) CHECK_FALSE(file.starts_with("figures"));
   CHECK_FALSE(fs::exists(folder.path / "figures" / "source" / "style.gp"));
@@ -399,12 +399,12 @@ TEST_CASE("a report without a picture has no folder of pictures", "[show]") {
 }
 
 TEST_CASE("a paper has its own first screen and sections", "[show]") {
-  Report paper = report_of();
+  Report paper = make_report();
   paper.first = {Heading{"The paper's claim holds."},
                  Table{.name = "table-3", .caption = "Table 3", .columns = {{"solver"}}}};
   paper.claims = {Heading{"Claims"}, "It holds."};
   paper.has_own_numbers = true;
-  const std::vector<Blocks> sections = sections_of(paper);
+  const std::vector<Blocks> sections = report_sections(paper);
   std::vector<std::string> headings;
   for (const Blocks& blocks : sections) headings.push_back(std::get<Heading>(blocks.front()).text);
   CHECK(headings == std::vector<std::string>{"The paper's claim holds.", "Claims", "Pictures", "Who is better?",

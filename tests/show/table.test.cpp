@@ -6,18 +6,18 @@ const std::string hostile =
     "a|b <script>alert(1)</script> \\input{x} & % _ ~ \x1b[31m red \n | *new* \xff " + std::string(300, 'x');
 
 Table with_label(const std::string& label) {
-  return {
-      .name = "results",
-      .caption = label,
-      .columns = {{"solver"},
-                  {.name = "error", .unit = "mm"},
-                  {.name = "interval", .role = Role::interval},
-                  {.name = "p", .role = Role::p},
-                  {"n"},
-                  {"time"}},
-      .rows = {{label, 0.12345678901234567, judge::Interval{1.0 / 3, 2}, 1e-7, std::int64_t{20}, Marked{4200.25, "*"}},
-               {"plain", Printed{1.5e-7, "0.0000"}, {}, 0.0005, {}, Marked{0.1, "", true}}},
-      .notes = {label}};
+  return {.name = "results",
+          .caption = label,
+          .columns = {{"solver"},
+                      {.name = "error", .unit = "mm"},
+                      {.name = "interval", .role = ColumnRole::interval},
+                      {.name = "p", .role = ColumnRole::p},
+                      {"n"},
+                      {"time"}},
+          .rows = {{label, 0.12345678901234567, judge::Interval{1.0 / 3, 2}, 1e-7, std::int64_t{20},
+                    ValueCell{4200.25, "*"}},
+                   {"plain", Printed{1.5e-7, "0.0000"}, {}, 0.0005, {}, ValueCell{0.1, "", true}}},
+          .notes = {label}};
 }
 
 std::ptrdiff_t ends_in(const std::string& text) { return std::ranges::count(text, '\n'); }
@@ -50,8 +50,8 @@ TEST_CASE("a table of numbers has every digit, and any label as it is", "[show]"
 
 TEST_CASE("an end that an interval excludes says so in every format, and none is rounded onto what decides", "[show]") {
   Table table{.caption = "pairs",
-              .columns = {{.name = "interval", .role = Role::interval, .ends = {1, 1.05}},
-                          {.name = "p", .role = Role::p, .ends = {0.05}}},
+              .columns = {{.name = "interval", .role = ColumnRole::interval, .ends = {1, 1.05}},
+                          {.name = "p", .role = ColumnRole::p, .ends = {0.05}}},
               .rows = {{judge::Interval{0, 0.8, true}, 0.04998},
                        {judge::Interval{0.5, 1, false, true}, 0.05},
                        {judge::Interval{1.00002, 1.0499}, Cell()},
@@ -81,7 +81,7 @@ TEST_CASE("readers see three digits, units, marks and small p-values", "[show]")
                  "mine & 0.123 & - & 0.333 to 2 & \\textless{} 0.0001 & 20 & 4200\\rlap{\\,\\scriptsize {*}} \\\\"));
   CHECK(contains(latex, "plain & $1.5 \\times 10^{-7}$ & 0.0000 & - & 0.0005 & - & $\\le$ 0.1 \\\\"));
   CHECK(number_text(3715.4) == "3715");
-  CHECK(number_beside(99.97, {0, 100}) == "< 100");
+  CHECK(number_within(99.97, {0, 100}) == "< 100");
   CHECK(p_text(0.04998, {0.05}) == "< 0.05");
 }
 
@@ -89,11 +89,11 @@ TEST_CASE("what stands in place of a number has its own column in files of numbe
   const Table table{.name = "results",
                     .caption = "Results",
                     .columns = {{"solver"}, {"solved", "%"}, {"motion", "deg"}},
-                    .rows = {{"A", Marked{.value = 100, .interval = judge::Interval{96.3, 100}}, 339.0},
-                             {"B", Marked{.value = 0.5, .mark = "*", .interval = judge::Interval{0.1, 1.25}},
-                              Marked{.value = 1.634, .mark = "*", .to_reference = judge::EffectScale::ratio}},
-                             {"C", {}, Marked{.value = 1.0312, .to_reference = judge::EffectScale::ratio}},
-                             {"D", {}, Marked{.value = -20, .to_reference = judge::EffectScale::difference}}}};
+                    .rows = {{"A", ValueCell{.value = 100, .interval = judge::Interval{96.3, 100}}, 339.0},
+                             {"B", ValueCell{.value = 0.5, .mark = "*", .interval = judge::Interval{0.1, 1.25}},
+                              ValueCell{.value = 1.634, .mark = "*", .to_reference = judge::EffectScale::ratio}},
+                             {"C", {}, ValueCell{.value = 1.0312, .to_reference = judge::EffectScale::ratio}},
+                             {"D", {}, ValueCell{.value = -20, .to_reference = judge::EffectScale::difference}}}};
   CHECK(to_csv(table) ==
         "solver,solved [%],solved low [%],solved high [%],solved mark,"
         "motion [deg],motion times,motion difference [deg],motion mark\n"

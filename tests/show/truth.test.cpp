@@ -100,7 +100,7 @@ std::string too_much(const Answer& answer) {
     return std::get<TestResult>(finding->what).is_small;
   };
   std::multiset<std::string> told;
-  for (const auto& [what, who, against, is_little] : said_of(judged, all)) {
+  for (const auto& [what, who, against, is_little] : statements_of(judged, all)) {
     const Names& others = against.empty() ? who : against;
     told.insert(who.begin(), who.end());
     if (what == What::best) told.insert(against.begin(), against.end());
@@ -128,12 +128,12 @@ std::string wrong_in_results(const Answer& answer) {
   if (sentences.front() != headline(answer)) return "no headline";
   std::map<std::string, int> counts;
   for (const Comparison& its : judged.findings)
-    ++counts[judged.findings.size() <= most_pairs
-                 ? fmt::format("{} against {}: {}", its.first, its.second, verdict_words(its, judged))
+    ++counts[judged.findings.size() <= max_pairs
+                 ? fmt::format("{} against {}: {}", its.first, its.second, comparison_text(its, judged))
              : is_difference(verdict_of(its)) ? "decided"
                                               : std::string(judge::name_of(verdict_of(its)))];
   for (const auto& [what, count] : counts)
-    if (!contains(sentences[1], judged.findings.size() <= most_pairs ? what : fmt::format("{} {}", count, what)))
+    if (!contains(sentences[1], judged.findings.size() <= max_pairs ? what : fmt::format("{} {}", count, what)))
       return what;
   return "";
 }
@@ -143,14 +143,14 @@ std::string wrong_in_tables(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const std::set<std::string> losers = beaten_solvers(judged.findings);
   for (const auto& row : results_table(answer).rows) {
-    const auto* const cell = std::get_if<Marked>(&row[1]);
+    const auto* const cell = std::get_if<ValueCell>(&row[1]);
     if (cell == nullptr) return "a number that is known is not shown";
     const std::string& name = std::get<std::string>(row[0]);
     if (judged.plan.control.empty() && (cell->mark == "*") != losers.contains(name)) return "a star";
   }
   const auto count = [](const Table& table, auto is_so) { return std::ranges::count_if(table.rows, is_so); };
   const auto is_decided = [](const std::vector<Cell>& row) {
-    return std::get<Judgement>(row[7]).tone != Tone::neutral;
+    return std::get<VerdictCell>(row[7]).tone != Tone::neutral;
   };
   const auto decided = std::ranges::count_if(
       judged.findings, [](const Comparison& finding) { return is_difference(verdict_of(finding)); });
