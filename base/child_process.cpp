@@ -191,7 +191,7 @@ ChildProcess::Ran ChildProcess::run(const std::vector<std::string>& words, const
     while (process.output_ >= 0) process.wait(-1, deadline, "it took more than a minute");
     process.end(std::chrono::seconds(1));
     return {WIFEXITED(process.status_) && WEXITSTATUS(process.status_) == 0, process.read_ + process.wrote_};
-  } catch (const Trouble& trouble) {
+  } catch (const ProcessFailure& trouble) {
     return {.output = fmt::format("{}: {}", words[0], trouble.why)};
   } catch (const std::invalid_argument& error) {
     return {.output = error.what()};
@@ -227,7 +227,7 @@ void ChildProcess::drain(int& from, std::string& into) {
 void ChildProcess::wait(int input, Clock::time_point deadline, const char* what) {
   constexpr long slice = 200;  // [ms] between checks that the process still runs
   const long left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-  if (left <= 0) throw Trouble{Trouble::Kind::timed_out, what};
+  if (left <= 0) throw ProcessFailure{ProcessFailure::Kind::timed_out, what};
   const bool has_room = read_.size() <= longest_line;
   std::array<pollfd, 3> files{pollfd{.fd = errors_, .events = POLLIN, .revents = 0},
                               pollfd{.fd = has_room ? output_ : -1, .events = POLLIN, .revents = 0},
@@ -254,7 +254,7 @@ void ChildProcess::write(std::string_view text, Clock::time_point deadline) {
     else if (errno == EAGAIN)
       wait(input_, deadline, "it does not read what it is told");
     else if (errno != EINTR)
-      throw Trouble{Trouble::Kind::crashed, "it ended"};
+      throw ProcessFailure{ProcessFailure::Kind::crashed, "it ended"};
   }
 }
 
@@ -267,8 +267,8 @@ std::string ChildProcess::read_line(Clock::time_point deadline) {
       return line;
     }
     if (read_.size() > longest_line)
-      throw Trouble{Trouble::Kind::broke_protocol, "it wrote a line of more than a million bytes"};
-    if (output_ < 0) throw Trouble{Trouble::Kind::crashed, "it ended"};
+      throw ProcessFailure{ProcessFailure::Kind::broke_protocol, "it wrote a line of more than a million bytes"};
+    if (output_ < 0) throw ProcessFailure{ProcessFailure::Kind::crashed, "it ended"};
     seen = read_.size();
     wait(-1, deadline, "it did not answer in time");
   }
@@ -293,8 +293,8 @@ void ChildProcess::end(std::chrono::milliseconds patience) {
   for (int* descriptor : {&output_, &errors_}) close_one(*descriptor);
 }
 
-std::string ChildProcess::end_after(Trouble::Kind trouble) {
-  const bool by_itself = trouble == Trouble::Kind::crashed;
+std::string ChildProcess::end_after(ProcessFailure::Kind trouble) {
+  const bool by_itself = trouble == ProcessFailure::Kind::crashed;
   end(std::chrono::seconds(by_itself ? 1 : 0));
   // A signal to all processes of a job may have reached the program before us. During this pause it ends our process,
   // or we hear it.

@@ -17,7 +17,7 @@ namespace ikbench::base {
 using Clock = std::chrono::steady_clock;
 
 // The error for a program that gives no answer. `why` is a sentence about "it".
-struct Trouble {
+struct ProcessFailure {
   enum class Kind { crashed, timed_out, broke_protocol, declined } kind;
   std::string why;
 };
@@ -56,7 +56,7 @@ class ChildProcess {
   // Ends the program after a failure. Returns how it ended by itself and its last words: " (exit code 3); its last
   // words: x". If it ended by itself, this takes 0.1 s more, in which a signal to all processes of a job also reaches
   // ours.
-  std::string end_after(Trouble::Kind trouble);
+  std::string end_after(ProcessFailure::Kind trouble);
 
  private:
   static void close_one(int& descriptor);

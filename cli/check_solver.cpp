@@ -64,7 +64,7 @@ struct Tried {
   Configuration q;
   double error, angle;  // of its position [m], and of its orientation [rad], if that is asked
   double seconds;
-  Account account;
+  ProcessReport account;
 };
 
 // Processes of a program that solve for one goal of an arm.
@@ -73,12 +73,12 @@ struct Solving {
       : arm(std::move(its_arm)),
         beyond(its_beyond),
         goal(some_goal(arm, kind, its_beyond)),
-        all(program, robot_message(arm, arm.chain, goal, "", program->hello, options_of(program->hello, {}))) {}
+        all(program, robot_message(arm, arm.chain, goal, "", program->hello, resolved_options(program->hello, {}))) {}
 
   Tried once(const StopRule& stop = usual, int which = 0) {
     Objective objective(arm.chain, some_goal(arm, goal.kind, beyond, which));
     Random random(Key(1).with(static_cast<std::uint64_t>(which)));
-    ForeignSolver solver(all, stop);
+    ExternalSolver solver(all, stop);
     solver.prepare(problem, objective);
     const Clock::time_point began = Clock::now();
     const Solution solution = solvers::solve(solver, problem, objective, random, stop);
@@ -91,7 +91,7 @@ struct Solving {
 
   // Of a program with a batch: asks for all poses of `once` since the last time.
   void ask() {
-    ForeignSolver solver(all, usual);
+    ExternalSolver solver(all, usual);
     solver.ask();
     solver.count_failure();
   }
@@ -110,12 +110,12 @@ struct Solving {
                         .lower = arm.limits.lower,
                         .upper = arm.limits.upper,
                         .population = 20};
-  Conversations all;
+  ProcessPool all;
 };
 
 class Checks {
  public:
-  Checks(const ProgramChoice& choice, Robot arm) : arm_(std::move(arm)) {
+  Checks(const ProgramSpec& choice, Robot arm) : arm_(std::move(arm)) {
     try {
       check(meet(choice, {}));
     } catch (const std::invalid_argument& error) {
@@ -178,7 +178,7 @@ class Checks {
 
   Tried answers(const std::string& what, Solving& solving) {
     const Tried tried = solving.once();
-    const Account& account = tried.account;
+    const ProcessReport& account = tried.account;
     const double outside = solving.arm.limits.violation(tried.q);
     const bool is_untrue = std::abs(account.claimed_error - tried.error) > claim_slack_of_programs;  // NaN: no claim
     const std::string wrong =
@@ -226,12 +226,12 @@ class Checks {
   // A machine may be busy, so the best of a few attempts counts.
   void budgets(Solving& solving) {
     const auto overrun = [&](const StopRule& stop, int tries = 1) -> std::string {
-      Spent spent;
+      ResourceUse spent;
       for (; tries > 0; --tries) {
         const Tried tried = solving.once(stop);
-        const Account& its = tried.account;
+        const ProcessReport& its = tried.account;
         if (its.failure) return solving.all.last_failure();
-        spent = {own_seconds(its, tried.seconds), its.evaluations, its.iterations};
+        spent = {credible_seconds(its, tried.seconds), its.evaluations, its.iterations};
         if (!its.went_on && !is_over(spent, stop)) return "";
       }
       return fmt::format("{:.0f} ms, {} in {}", 1000 * spent.seconds, counted(spent.evaluations, "evaluations"),
@@ -239,7 +239,7 @@ class Checks {
     };
     constexpr StopRule in_time{.iterations = 1'000'000, .tolerance = 1e-4, .seconds = 0.05};
     line(fmt::format("it keeps a budget of 50 ms, {:g} at most, for a target out of reach",
-                     1000 * most_of_budget * in_time.seconds),
+                     1000 * max_budget_ratio * in_time.seconds),
          overrun(in_time, 5));
     if (!solving.all.last_failure().empty()) return;
     std::string wrong = overrun({.iterations = 100, .tolerance = 1e-4, .evaluations = 40});
@@ -247,12 +247,12 @@ class Checks {
     line("it keeps a budget of 40 evaluations, and one of 10 iterations, half more at most", wrong);
   }
 
-  void farewell(Conversation last) {
+  void farewell(WorkerProcess last) {
     if (last.child) last.child->end_input();
-    const Trouble heard =
-        last.child ? unasked(*last.child, 2) : Trouble{Trouble::Kind::declined, "it had ended before"};
-    line("it answers once, and ends when its input does", heard.kind == Trouble::Kind::crashed ? ""
-                                                          : heard.kind == Trouble::Kind::timed_out
+    const ProcessFailure heard =
+        last.child ? unasked(*last.child, 2) : ProcessFailure{ProcessFailure::Kind::declined, "it had ended before"};
+    line("it answers once, and ends when its input does", heard.kind == ProcessFailure::Kind::crashed ? ""
+                                                          : heard.kind == ProcessFailure::Kind::timed_out
                                                               ? "it still ran after 2 s"
                                                               : heard.why);
   }
@@ -261,7 +261,7 @@ class Checks {
 }  // namespace
 
 void add_check_solver(const Command& command, Invocation& invocation) {
-  auto choice = std::make_shared<ProgramChoice>(ProgramChoice{.process = {}, .files = {}, .patience = 5});
+  auto choice = std::make_shared<ProgramSpec>(ProgramSpec{.process = {}, .files = {}, .patience = 5});
   command.add("COMMAND", &choice->process, "the program and its arguments, after --").required();
   command.add("--patience", &choice->patience, "seconds after which a solve is given up").number_in({0.1, 3600});
   auto robot_name = std::make_shared<std::string>();

@@ -36,9 +36,9 @@ struct CompareArguments {
 double margin_from(const std::string& text, const char* option = "--margin") {
   const auto value = text.ends_with('%') ? base::number_from(text.substr(0, text.size() - 1)) : std::nullopt;
   const double share = value ? *value / 100 : -1;
-  if (!(share >= 0 && share <= results::margins_percent.second / 100))
+  if (!(share >= 0 && share <= results::margin_percent_range.second / 100))
     throw std::invalid_argument(fmt::format("{} {}; expected a share from 0% to {}%, such as 5%", option, text,
-                                            results::margins_percent.second));
+                                            results::margin_percent_range.second));
   return share;
 }
 

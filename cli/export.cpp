@@ -80,8 +80,8 @@ void add_export(const Command& command, Invocation&) {
       });
     }
     store.at_one_moment([&] {
-      const std::vector<std::string> extras = store.names_of_extras(study);
-      const PassSolves pass = [&](const TakeSolve& take) { store.each_of_study(study, take); };
+      const std::vector<std::string> extras = store.extra_names(study);
+      const SolveSource pass = [&](const SolveVisitor& take) { store.each_of_study(study, take); };
       write_it([&](const Write& write) { write_csv(pass, write, extras); });
     });
   });

@@ -67,7 +67,7 @@ void add_merge(const Command& command, Invocation& invocation) {
     const fs::path out = store_path(arguments->out);
     std::vector<fs::path> stores;
     for (const std::string& place : arguments->places) std::ranges::copy(stores_in(place), std::back_inserter(stores));
-    const Merged merged = [&] {
+    const MergeResult merged = [&] {
       ProgressBar bar("merging", "stores");
       return merge(out, stores, experiments::recheck_of,
                    [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); });

@@ -211,7 +211,7 @@ std::optional<judge::StudyResults> imported_results(const StoredStudy& study, co
     const std::string lm = fmt::format("[[solvers]]\nsolver = \"{}\"", judge::time_reference_solver);
     Overrides settings = judge::archive_settings();
     settings.push_back("robot=" + study.definition.robot);
-    const StoredStudy archive = stored_study(parse_study(lm, arguments.beside, settings));
+    const StoredStudy archive = to_stored(parse_study(lm, arguments.beside, settings));
     theirs.definition = archive.definition;
     for (results::Series& series : theirs.series)
       if (series.algorithm == judge::time_reference_solver) series.options = archive.series.front().options;
@@ -227,7 +227,7 @@ std::optional<judge::StudyResults> imported_results(const StoredStudy& study, co
   return theirs;
 }
 
-judge::StudyResults read_checked(const Store& store, const StoredStudy& entry, const TakeSolve& also) {
+judge::StudyResults read_checked(const Store& store, const StoredStudy& entry, const SolveVisitor& also) {
   judge::StudyResults study = judge::read_study(store, entry, [&, check = recheck_of(entry)](const SolveRecord& solve) {
     check(solve);
     if (also) also(solve);
@@ -240,9 +240,9 @@ judge::StudyResults read_checked(const Store& store, const StoredStudy& entry, c
 
 judge::StudyResults read_and_export(const Store& store, const StoredStudy& entry, const std::filesystem::path& folder) {
   judge::StudyResults study;
-  const auto pass = [&](const TakeSolve& take) { study = read_checked(store, entry, take); };
+  const auto pass = [&](const SolveVisitor& take) { study = read_checked(store, entry, take); };
   write_file(folder / "solves.csv", [&](const Write& write) {
-    write_csv(pass, write, store.names_of_extras(entry));
+    write_csv(pass, write, store.extra_names(entry));
     show::claim(folder, {"solves.csv"});  // now that all solves are read, and before it has its name
   });
   return study;

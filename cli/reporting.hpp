@@ -52,7 +52,7 @@ bool show_answer(const results::Store& store, const results::StoredStudy& study,
 
 // Reads a study, computes the errors of all its solves again (experiments/runner.hpp), and passes each on to `also`.
 judge::StudyResults read_checked(const results::Store& store, const results::StoredStudy& entry,
-                                 const results::TakeSolve& also = {});
+                                 const results::SolveVisitor& also = {});
 // The same, and writes the solves into the folder's solves.csv, which belongs to its report.
 judge::StudyResults read_and_export(const results::Store& store, const results::StoredStudy& entry,
                                     const std::filesystem::path& folder);

@@ -94,7 +94,7 @@ papers::SolvedMultiverse solved_multiverse(const Arguments& arguments, const std
   CancelOnSignal signals;
   const MultiversePlan plan = plan_multiverse(study, varied, seeds, overridden_runs(arguments));
   std::optional<ProgressBar> bar("readings");
-  const std::vector<PartMeans> means =
+  const std::vector<SeriesMeans> means =
       solve_parts(plan.parts, {.jobs = jobs_of(arguments),
                                .progress = [&](const Progress& progress) { bar->show(progress); },
                                .cancelled = &signals.requested()});
@@ -104,7 +104,7 @@ papers::SolvedMultiverse solved_multiverse(const Arguments& arguments, const std
     throw Cancelled();
   }
   papers::SolvedMultiverse multiverse{plan, {}};
-  for (const PartMeans& part : means)
+  for (const SeriesMeans& part : means)
     multiverse.means.push_back({papers::group_of(part.error_cm), papers::group_of(part.variation_deg)});
   return multiverse;
 }
@@ -248,7 +248,7 @@ void add_reproduce(const Command& command, Invocation& invocation) {
     const std::filesystem::path folder = output_folder(paper.studies.front(), arguments->run.out);
     std::vector<judge::JudgedStudy> judged;
     for (const Study& study : studies_of(paper, *arguments)) {
-      const StoredStudy stored = stored_study(study);
+      const StoredStudy stored = to_stored(study);
       run_study(study, stored, folder, {.jobs = arguments->run.jobs, .command = invocation.command});
       const Store store(store_path(folder), Store::Mode::read);
       const bool is_first = judged.empty();

@@ -84,7 +84,7 @@ std::string reach_text(const Robot& arm) {
 
 // The configuration of --at.
 Configuration joints_at(const Robot& arm, const std::string& text) {
-  if (text.empty()) return experiments::nearest_to_zero(arm);
+  if (text.empty()) return experiments::default_configuration(arm);
   std::vector<double> at;
   for (std::size_t from = 0; from <= text.size(); from = std::min(text.find(',', from), text.size()) + 1) {
     const std::string_view value = std::string_view(text).substr(from, text.find(',', from) - from);

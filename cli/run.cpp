@@ -79,7 +79,7 @@ Study study_of_store(const StudyToRun& arguments) {
   const auto is_same = [](const Series& made, const Series& read) {
     return made.label == read.label && made.algorithm == read.algorithm && made.options == read.options;
   };
-  if (overrides.empty() && !std::ranges::equal(stored.series, stored_study(study).series, is_same))
+  if (overrides.empty() && !std::ranges::equal(stored.series, to_stored(study).series, is_same))
     throw std::invalid_argument(fmt::format(
         "{}: its study names other solvers or options than made its solves; it was changed since they were stored",
         file));
@@ -98,7 +98,7 @@ Study study_of(const StudyToRun& arguments) {
   // A built-in study, whose name is no file's, keeps its store for its own arm.
   if (!arguments.robot.empty() && study.name == name)
     study.name = (is_of_any_arm ? "" : study.name + '-') + arm_of(study).name;
-  if (!arguments.only.empty()) keep_only(study, arguments.only);
+  if (!arguments.only.empty()) select_solvers(study, arguments.only);
   if (arguments.report.beside == judge::archive_name) {  // its study, with these solvers and the unit of its times
     study.name += fmt::format("-{}", judge::archive_name);
     if (std::ranges::none_of(study.solvers, [](const SolverEntry& its) {
@@ -116,15 +116,15 @@ Study study_of(const StudyToRun& arguments) {
 void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
   const Study study = study_of(arguments);
   const bool is_part = !arguments.shard.empty(), has_report = !arguments.without_report && !is_part;
-  const Shard shard = is_part ? shard_from(arguments.shard) : Shard{};
-  if (const std::int64_t parts = parts_of(study); shard.count > parts)  // else some would be empty
+  const Shard shard = is_part ? parse_shard(arguments.shard) : Shard{};
+  if (const std::int64_t parts = work_unit_count(study); shard.count > parts)  // else some would be empty
     throw std::invalid_argument(fmt::format("--shard {}: {} has only {} to share out, so give at most that many shards",
                                             shard.text(), study.name,
                                             base::counted(parts, study.is_chained() ? "runs" : "targets")));
   std::filesystem::path folder = output_folder(study.name, arguments.run.out);
   if (arguments.run.out.empty() && is_part)
     folder = folder / "shards" / fmt::format("{}-of-{}", shard.index, shard.count);
-  const StoredStudy stored = stored_study(study);
+  const StoredStudy stored = to_stored(study);
   const auto beside = imported_results(stored, arguments.report);
   const std::string solved =
       run_study(study, stored, folder, {.jobs = arguments.run.jobs, .command = invocation.command, .shard = shard},

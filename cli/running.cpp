@@ -25,14 +25,14 @@ void tell_of(const Study& study) {
     for (const std::string& doubt : robots::doubts_of(*arm)) warn(doubt);
   }
   for (const std::string& note : study.notes) say(note);
-  if (const std::vector<Unreachable> beyond = unreachable(study); !beyond.empty()) {
+  if (const std::vector<UnreachableTarget> beyond = unreachable(study); !beyond.empty()) {
     const auto& [point, distance, reach] = beyond.front();
     warn(fmt::format(
         "{} of a run are out of reach; point {} is {:.2f} cm from the shoulder, and the arm reaches {:.2f} cm",
         counted(std::ssize(beyond), "points"), point, distance * 100, reach * 100));
   }
   std::map<std::string, std::vector<std::string>> labels_by_why;
-  for (const LeftOut& entry : study.left_out) labels_by_why[entry.why].push_back(entry.label);
+  for (const SkippedSolver& entry : study.left_out) labels_by_why[entry.why].push_back(entry.label);
   std::vector<std::string> left_out;
   for (const auto& [why, labels] : labels_by_why)
     left_out.push_back(fmt::format("{} ({})", fmt::join(labels, ", "), why));
@@ -88,7 +88,7 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
         files[0].string(), files[1].string()));
   const auto may_meddle = [](const SolverEntry& entry) { return entry.program != nullptr; };
   if (study.checker || std::ranges::any_of(study.solvers, may_meddle)) {  // a program can write where its user can
-    const std::int64_t there = Store(store_path(folder), Store::Mode::read).number_of_solves(stored);
+    const std::int64_t there = Store(store_path(folder), Store::Mode::read).solve_count(stored);
     if (there < progress.done)
       throw std::runtime_error(fmt::format(
           "{} has {} of the {} solves: one of the programs or somebody else changed it; run the same command again",

@@ -17,7 +17,7 @@ struct RunArguments {
 
 void add_run_options(const Command& command, RunArguments& arguments);
 
-// Runs a study, and its stored_study, into the folder's store.sqlite, opened in this mode, with progress, and warns of
+// Runs a study, and its to_stored, into the folder's store.sqlite, opened in this mode, with progress, and warns of
 // targets out of reach. Returns "six: 288 solves in out/six/store.sqlite"; after Ctrl-C it says how to continue, and
 // throws Cancelled.
 std::string run_study(const experiments::Study& study, const results::StoredStudy& stored,

@@ -29,7 +29,7 @@ namespace {
 struct StatsArguments {
   std::string file, test, margin, out, decimal;
   csv::Request csv;
-  results::Plan plan;
+  results::AnalysisPlan plan;
   ReportArguments report;
 };
 
@@ -61,7 +61,7 @@ show::Report judged(const StatsArguments& arguments, FigureStyle& style) {
   csv::Quantities quantities = csv::read(text, source, arguments.csv);
   std::vector<judge::JudgedMetric> metrics;
   for (judge::MetricSamples& observed : quantities.observed) {
-    const results::Plan plan = csv::with_margin(arguments.plan, arguments.margin, observed);
+    const results::AnalysisPlan plan = csv::with_margin(arguments.plan, arguments.margin, observed);
     if (arguments.margin.empty() && plan.margin == 0)
       quantities.notes.push_back(fmt::format("Of {}, which may be negative, no margin is used.", observed.quantity));
     metrics.push_back(judge::judge(std::move(observed), plan));
@@ -156,9 +156,10 @@ void add_stats(const Command& command, Invocation& invocation) {
       "  ikbench stats --summaries published.csv --better smaller\n\n"
       "docs/your-own-csv.md has a command for each of eight kinds of tables.");
   command.callback([arguments, &invocation] {
-    if (arguments->test == "means" || arguments->csv.are_summaries) arguments->plan.test = results::Plan::Test::means;
+    if (arguments->test == "means" || arguments->csv.are_summaries)
+      arguments->plan.test = results::AnalysisPlan::Test::means;
     if (!arguments->decimal.empty()) arguments->csv.decimal = arguments->decimal[0];
-    arguments->csv.are_means = arguments->plan.test == results::Plan::Test::means;
+    arguments->csv.are_means = arguments->plan.test == results::AnalysisPlan::Test::means;
     if (arguments->csv.are_means && arguments->csv.missing == "worst")
       throw std::invalid_argument(
           "--missing worst: a mean cannot count a value without an answer; use --missing drop, or --test ranks");

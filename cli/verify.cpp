@@ -42,8 +42,9 @@ bool is_as_archived(const Store& store, const std::string& fact, std::string_vie
 // Throws where rows were changed, or the seal is not the one that was given.
 std::string said_of_seal(const Store& store, const std::string& given, const StoredStudy& study,
                          const std::string& line) {
-  const bool has_seal = std::ranges::any_of(
-      store.sessions(), [](const Session& session) { return session.environment.contains(std::string(seal_fact)); });
+  const bool has_seal = std::ranges::any_of(store.sessions(), [](const Session& session) {
+    return session.environment.contains(std::string(seal_fact));
+  });
   const std::string seal = has_seal || !given.empty() ? seal_of(store) : "";  // which reads all rows
   const bool is_sealed = is_as_archived(store, std::string(seal_fact), "its seal", seal);
   const bool is_of_solves =
@@ -91,11 +92,11 @@ void add_verify(const Command& command, Invocation& invocation) {
     check_seal(arguments->seal);
     const Store store(arguments->store, Store::Mode::read);
     const StoredStudy study = store.study(arguments->study);
-    const TakeSolve redraw = redraw_of(study);
+    const SolveVisitor redraw = redraw_of(study);
     const auto all = read_checked(store, study, redraw).solves.size();
     const std::string line = fingerprint_line(store, study), seal = said_of_seal(store, arguments->seal, study, line);
     std::optional<ProgressBar> bar("solving again");
-    const SolvedAgain again =
+    const RerunReport again =
         solve_again(store, study, arguments->solves, [&](const Progress& progress) { bar->show(progress); });
     bar.reset();  // leaves its line to the answer
     std::vector<std::string> unchecked{
@@ -118,7 +119,7 @@ void add_verify(const Command& command, Invocation& invocation) {
                     study.name, base::counted(static_cast<std::int64_t>(all), "solves"),
                     redraw ? ", targets and starts from the seed" : "", made, seal, fmt::join(unchecked, "; "));
     fmt::print("{}\n{}\n", printable(wrapped(text)), printable(line));
-    const std::string lack = lack_of(store, study);
+    const std::string lack = missing_solves_text(store, study);
     if (lack.empty()) return;
     say(fmt::format("{} {}", study.name, lack));
     invocation.exit_code = 5;

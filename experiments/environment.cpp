@@ -68,7 +68,7 @@ std::map<std::string, std::string> environment() {
           {"version", build_info::version}};
 }
 
-double thread_seconds() {
+double thread_cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
@@ -82,7 +82,7 @@ bool is_debug_build() {
 #endif
 }
 
-std::filesystem::path own_program() {
+std::filesystem::path executable_path() {
 #ifdef __APPLE__
   std::array<char, 4096> path{};
   auto size = static_cast<std::uint32_t>(path.size());

@@ -16,11 +16,11 @@ std::map<std::string, std::string> environment();
 // Returns the processor's name of /proc/cpuinfo. On ARM the kernel knows no name, so the numbers of maker and part are
 // returned.
 std::string cpu_model(std::istream&& info);
-double thread_seconds();  // processor time [s] of this thread
+double thread_cpu_seconds();  // processor time [s] of this thread
 // Returns true for a debug or sanitized build, whose times say nothing about a solver.
 bool is_debug_build();
-std::filesystem::path own_program();  // the file that runs
-std::string program_name();           // "ikbench 1.0.0 (COMMIT, source DIGEST)", for what it writes
+std::filesystem::path executable_path();  // the file that runs
+std::string program_name();               // "ikbench 1.0.0 (COMMIT, source DIGEST)", for what it writes
 // Returns the digest of the sources that all solvers share: arms, kernels, random numbers, the loop, targets, the
 // verifier. CMakeLists.txt lists them.
 std::string shared_source_digest();

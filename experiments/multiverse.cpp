@@ -45,7 +45,7 @@ std::vector<Overrides> combinations(const std::vector<Dimension>& dimensions) {
 // Returns the key of the search only. No search of a built-in solver depends on the way in which the wrist bends,
 // unless limits or wraps change where a solve starts.
 std::string search_key(Study study) {
-  if (study.search == Search::wrist && study.limits == Limits::recorded && study.wrap == Wrap::no &&
+  if (study.search == Search::wrist && study.limits == Limits::recorded && study.wrap == WrapPolicy::no &&
       study.start == Start::previous)
     study.wrist_branch = WristBranch::nearest;
   return series_key(study, study.solvers.front());
@@ -69,14 +69,14 @@ std::vector<SolveRecord> with_wrist_of(const Study& study, std::vector<SolveReco
     const Verification verified = verify(arm, poses[place], start, answer, false, study.motion_joints);
     solve.position_error_cm = verified.position_error / centimetre;
     solve.variation_deg = verified.variation / degree;
-    if (moves_arm(solve, study.start)) start = answer;
+    if (continues_from(solve, study.start)) start = answer;
   }
   return solves;
 }
 
-PartMeans means_of(const Study& study, const std::vector<SolveRecord>& solves) {
+SeriesMeans means_of(const Study& study, const std::vector<SolveRecord>& solves) {
   const auto runs = static_cast<std::size_t>(study.runs);
-  PartMeans means{.error_cm = std::vector<double>(runs), .variation_deg = std::vector<double>(runs)};
+  SeriesMeans means{.error_cm = std::vector<double>(runs), .variation_deg = std::vector<double>(runs)};
   for (const SolveRecord& solve : solves) {
     const auto run = static_cast<std::size_t>(solve.run - 1);
     means.error_cm[run] += solve.position_error_cm;
@@ -135,32 +135,33 @@ MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimens
   return plan;
 }
 
-std::vector<PartMeans> solve_parts(const std::vector<Study>& parts, const RunRequest& request) {
+std::vector<SeriesMeans> solve_parts(const std::vector<Study>& parts, const RunRequest& request) {
   std::map<std::string, std::vector<std::size_t>> by_search;
   Progress progress;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (request.cancelled != nullptr && *request.cancelled) return {};
     by_search[search_key(parts[i])].push_back(i);
-    progress.total += solves_of({}, parts[i]);
+    progress.total += planned_solve_count({}, parts[i]);
   }
   std::vector<std::vector<std::size_t>> searches;
   for (auto& [key, places] : by_search) searches.push_back(std::move(places));
-  std::vector<PartMeans> means(parts.size());
+  std::vector<SeriesMeans> means(parts.size());
   std::mutex mutex;
-  share_out(searches.size(), request.jobs, request.cancelled, [&](std::size_t s, std::size_t, const IsOver& is_over) {
-    const Study& first = parts[searches[s].front()];
-    std::vector<SolveRecord> solves;
-    solve_study(
-        first, 1, [&](SolveRecord record) { solves.push_back(std::move(record)); }, request.cancelled);
-    if (is_over()) return;
-    for (const std::size_t i : searches[s]) {
-      const bool is_same = series_key(parts[i], parts[i].solvers[0]) == series_key(first, first.solvers[0]);
-      means[i] = means_of(parts[i], is_same ? solves : with_wrist_of(parts[i], solves));
-      const std::scoped_lock lock(mutex);
-      progress.done += solves_of({}, parts[i]);
-      if (request.progress) request.progress(progress);
-    }
-  });
+  parallel_for(
+      searches.size(), request.jobs, request.cancelled, [&](std::size_t s, std::size_t, const StopRequested& is_over) {
+        const Study& first = parts[searches[s].front()];
+        std::vector<SolveRecord> solves;
+        solve_without_store(
+            first, 1, [&](SolveRecord record) { solves.push_back(std::move(record)); }, request.cancelled);
+        if (is_over()) return;
+        for (const std::size_t i : searches[s]) {
+          const bool is_same = series_key(parts[i], parts[i].solvers[0]) == series_key(first, first.solvers[0]);
+          means[i] = means_of(parts[i], is_same ? solves : with_wrist_of(parts[i], solves));
+          const std::scoped_lock lock(mutex);
+          progress.done += planned_solve_count({}, parts[i]);
+          if (request.progress) request.progress(progress);
+        }
+      });
   if (progress.done < progress.total) means.clear();
   return means;
 }

@@ -28,12 +28,12 @@ MultiversePlan plan_multiverse(const std::string& study, const std::vector<resul
                                const Overrides& overrides);
 
 // The means of each run over its points, one value per run. A value is not finite if an answer is not.
-struct PartMeans {
+struct SeriesMeans {
   std::vector<double> error_cm, variation_deg;
 };
 
 // Solves the parts of a plan. Returns the means of each, in their order; none if the request was cancelled. Only jobs
 // (parts at once), progress and cancelled of the request count.
-std::vector<PartMeans> solve_parts(const std::vector<Study>& parts, const RunRequest& request);
+std::vector<SeriesMeans> solve_parts(const std::vector<Study>& parts, const RunRequest& request);
 
 }  // namespace ikbench::experiments

@@ -34,15 +34,15 @@ struct Part {
 };
 
 // The work of a study, and which of its solves are stored.
-struct Work {
-  Work(const Study& asked, const std::vector<Series>& series, int jobs, Shard shard_of_it = {})
+struct StudyWork {
+  StudyWork(const Study& asked, const std::vector<Series>& series, int jobs, Shard shard_of_it = {})
       : study(asked), shard(shard_of_it), arm(arm_of(asked)), points(asked.path->points()) {
     for (std::size_t s = 0; s < series.size(); ++s)
       solve_runners.emplace_back(study, study.solvers[s], series[s].key, arm, jobs);
     stored.resize(solve_runners.size(), std::vector<bool>(place(study.runs, points) + 1));
   }
-  Work(const Work&) = delete;  // solve_runners refer to the arm
-  Work& operator=(const Work&) = delete;
+  StudyWork(const StudyWork&) = delete;  // solve_runners refer to the arm
+  StudyWork& operator=(const StudyWork&) = delete;
 
   std::size_t place(int run, int point) const {
     return static_cast<std::size_t>(run - 1) * static_cast<std::size_t>(points) + static_cast<std::size_t>(point - 1);
@@ -55,13 +55,13 @@ struct Work {
     return point;
   }
   // Returns the configuration where the next solve of a chained run begins.
-  Configuration left_by(std::size_t solver, int run) const {
+  Configuration chain_end(std::size_t solver, int run) const {
     const auto stored_chain = left_arm.find({solver, run});
     if (stored_chain == left_arm.end()) return study.initial;
     return stored_chain->second;
   }
   int turns() const {
-    return shard.count > 1 ? 1 : static_cast<int>(std::min<std::int64_t>(study.turns, parts_of(study)));
+    return shard.count > 1 ? 1 : static_cast<int>(std::min<std::int64_t>(study.turns, work_unit_count(study)));
   }
   std::vector<Part> parts_in(Shard its) const {
     const int last = study.is_chained() ? 1 : points;
@@ -94,13 +94,13 @@ struct Work {
 };
 
 // Throws std::invalid_argument if the study would not have made the stored solve next.
-void check_stored(const SolveRecord& record, const Work& work, std::size_t solver) {
+void check_stored(const SolveRecord& record, const StudyWork& work, std::size_t solver) {
   const bool is_chained = work.study.is_chained();
   const bool has_place = record.run >= 1 && record.point >= 1 && record.point <= work.points;
   const bool follows =
       has_place && (!is_chained || record.point == 1 || work.has(solver, record.run, record.point - 1));
   const bool can_move = record.answer_rad.size() == static_cast<std::size_t>(work.study.initial.size()) &&
-                        (!moves_arm(record, work.study.start) ||
+                        (!continues_from(record, work.study.start) ||
                          std::ranges::all_of(record.answer_rad, [](double angle) { return std::isfinite(angle); }));
   if (follows && can_move) return;
   throw std::invalid_argument(
@@ -110,15 +110,15 @@ void check_stored(const SolveRecord& record, const Work& work, std::size_t solve
 }
 
 // Notes which solves the store has. Returns how many of them are in the shard.
-std::int64_t move_past_stored(Work& work, const Store& store) {
+std::int64_t move_past_stored(StudyWork& work, const Store& store) {
   std::int64_t stored = 0;
   for (std::size_t s = 0; s < work.solve_runners.size(); ++s) {
     store.each_of_series(work.solve_runners[s].key(), [&](const SolveRecord& record) {
       if (record.run > work.study.runs) return;
       check_stored(record, work, s);
       work.stored[s][work.place(record.run, record.point)] = true;
-      if (record.point < work.points && moves_arm(record, work.study.start))
-        work.left_arm[{s, record.run}] = vector_of(record.answer_rad);
+      if (record.point < work.points && continues_from(record, work.study.start))
+        work.left_arm[{s, record.run}] = to_eigen(record.answer_rad);
       if (record.point == work.points) work.left_arm.erase({s, record.run});
       if (contains(work.shard, work.study, record.run, record.point)) ++stored;
     });
@@ -130,13 +130,13 @@ std::int64_t move_past_stored(Work& work, const Store& store) {
 // Returns nothing if a stop was requested, unless the solve succeeded: who stops this process may have stopped the
 // program first.
 template <class Solve>
-std::optional<SolveRecord> undisturbed(PauseWatch& pauses, const IsOver& is_over, Solve&& solve) {
+std::optional<SolveRecord> undisturbed(SuspensionWatch& pauses, const StopRequested& is_over, Solve&& solve) {
   constexpr int most_tries = 10;
   for (int tries = 0; tries < most_tries; ++tries) {
     const auto paused_before = pauses.paused();
-    const auto began = PauseWatch::Clock::now();
+    const auto began = SuspensionWatch::Clock::now();
     SolveRecord record = solve();
-    const bool stood_still = 10 * (pauses.paused() - paused_before) > PauseWatch::Clock::now() - began;
+    const bool stood_still = 10 * (pauses.paused() - paused_before) > SuspensionWatch::Clock::now() - began;
     if (!stood_still && (record.status == Status::ok || !is_over())) return record;
     if (is_over()) return std::nullopt;
   }
@@ -147,11 +147,12 @@ std::optional<SolveRecord> undisturbed(PauseWatch& pauses, const IsOver& is_over
 
 // Asks the study's check about an answer that reached its target. Returns false if a stop was requested and the check
 // failed.
-bool is_checked(const Work& work, std::unique_ptr<ChildProcess>& checker, SolveRecord& record, const IsOver& is_over) {
+bool is_checked(const StudyWork& work, std::unique_ptr<ChildProcess>& checker, SolveRecord& record,
+                const StopRequested& is_over) {
   try {
     if (work.study.checker && record.status == Status::ok) check_answer(work.study, work.arm, checker, record);
     return true;
-  } catch (const Trouble& trouble) {
+  } catch (const ProcessFailure& trouble) {
     const std::string told = trouble.why + (checker ? checker->end_after(trouble.kind) : "");
     if (is_over()) return false;
     throw std::invalid_argument(fmt::format("[check] of {}, run {}, point {}: {}; what is stored is kept", record.label,
@@ -170,7 +171,7 @@ std::vector<std::size_t> order_of(const Study& study, std::vector<std::size_t> s
 
 // The state of a worker in a session: its solvers, and the targets and starts of its current run, which may take long
 // to draw.
-struct Bench {
+struct WorkerState {
   std::vector<std::unique_ptr<solvers::Solver>> solvers = {};
   std::unique_ptr<ChildProcess> checker = {};  // null until it is needed
   int at_run = 0;
@@ -178,13 +179,13 @@ struct Bench {
   std::vector<Configuration> own_starts = {};
 
   // Returns the question at a point. A chain continues at `left_arm`.
-  Call call_at(const Work& work, int run, int point, const Configuration& left_arm) {
+  Call call_at(const StudyWork& work, int run, int point, const Configuration& left_arm) {
     if (std::exchange(at_run, run) != run)
       poses = targets(work.study, work.arm, run), own_starts = starts(work.study, work.arm, run);
     const auto place = static_cast<std::size_t>(point - 1);
     return {poses[place], own_starts.empty() ? left_arm : own_starts[place], run, point};
   }
-  void prepare(const Work& work, const std::vector<std::size_t>& which, const std::vector<Part>& parts,
+  void prepare(const StudyWork& work, const std::vector<std::size_t>& which, const std::vector<Part>& parts,
                std::size_t together) {
     const Call call = call_at(work, parts.back().run, parts.back().last, work.study.initial);
     for (const std::size_t s : which) {
@@ -197,16 +198,17 @@ struct Bench {
 // Solves what these solvers lack of the parts, `jobs` at once. Their batches have one size. A group is one part, the
 // parts of a batch, or two parts if a call on the other comes between the two calls on a target. All solvers take turns
 // at being first in a group. Solves are passed on whatever ends this, such as a solve that `check` refuses.
-void solve_alike(const Work& work, const std::vector<std::size_t>& solvers, const std::vector<Part>& parts, int jobs,
-                 const std::atomic<bool>* cancelled, const TakeSolve& check, RecordQueue& record_queue) {
+void solve_with_batch_size(const StudyWork& work, const std::vector<std::size_t>& solvers,
+                           const std::vector<Part>& parts, int jobs, const std::atomic<bool>* cancelled,
+                           const SolveVisitor& check, RecordQueue& record_queue) {
   const auto batch = static_cast<std::size_t>(work.solve_runners[solvers.front()].batch());
-  const bool is_hot = work.study.state == State::hot && batch == 0;
+  const bool is_hot = work.study.state == CacheState::hot && batch == 0;
   const std::size_t together = std::max<std::size_t>(batch, is_hot ? 2 : 1), rest = batch > 0 ? together - 1 : 0;
   const std::size_t groups = std::max<std::size_t>(1, (parts.size() + rest) / together);  // the rest is a batch, too
-  PauseWatch pauses;
-  std::vector<Bench> benches(static_cast<std::size_t>(jobs));
-  const auto work_on = [&](std::size_t turn, std::size_t worker, const IsOver& is_over) {
-    Bench& bench = benches[worker];
+  SuspensionWatch pauses;
+  std::vector<WorkerState> benches(static_cast<std::size_t>(jobs));
+  const auto work_on = [&](std::size_t turn, std::size_t worker, const StopRequested& is_over) {
+    WorkerState& bench = benches[worker];
     if (bench.solvers.empty()) bench.prepare(work, solvers, parts, together);
     const std::size_t group = turn / solvers.size(), its = (turn + group) % solvers.size(), s = solvers[its];
     const auto first = parts.begin() + static_cast<std::ptrdiff_t>(group * together);
@@ -220,7 +222,8 @@ void solve_alike(const Work& work, const std::vector<std::size_t>& solvers, cons
       return true;
     };
     std::vector<SolveRecord> hot;  // checked after the last call, since a check would cool the caches
-    const IsOver is_cut = batch > 0 ? IsOver([] { return false; }) : is_over;  // a batch is stored whole or not at all
+    const StopRequested is_cut =
+        batch > 0 ? StopRequested([] { return false; }) : is_over;  // a batch is stored whole or not at all
     const auto heated = [&] {
       for (auto part = first; part != end && !is_cut(); ++part)
         solve_runner.heat(solver, bench.call_at(work, part->run, part->first, work.study.initial));
@@ -229,14 +232,14 @@ void solve_alike(const Work& work, const std::vector<std::size_t>& solvers, cons
     if ((is_hot || batch > 0) && !undisturbed(pauses, is_over, heated)) return;
     if (batch > 0) solve_runner.count_failure(solver);
     for (auto part = first; part != end; ++part) {
-      Configuration left_arm = work.left_by(s, part->run);
+      Configuration left_arm = work.chain_end(s, part->run);
       for (int point = work.next_point(s, *part); point <= part->last && !is_cut(); ++point) {
         const Call call = bench.call_at(work, part->run, point, left_arm);
         std::optional<SolveRecord> record =
             undisturbed(pauses, is_cut, [&] { return solve_runner.solve(solver, call); });
         if (!record) break;
         if (!is_over()) solve_runner.count_failure(solver);
-        if (moves_arm(*record, work.study.start)) left_arm = vector_of(record->answer_rad);
+        if (continues_from(*record, work.study.start)) left_arm = to_eigen(record->answer_rad);
         if (is_hot && work.study.checker)
           hot.push_back(std::move(*record));
         else if (!hand_in(*record))
@@ -247,7 +250,7 @@ void solve_alike(const Work& work, const std::vector<std::size_t>& solvers, cons
       if (!hand_in(record)) break;
   };
   try {
-    share_out(groups * solvers.size(), jobs, cancelled, work_on);
+    parallel_for(groups * solvers.size(), jobs, cancelled, work_on);
   } catch (...) {
     record_queue.flush();
     throw;
@@ -257,15 +260,16 @@ void solve_alike(const Work& work, const std::vector<std::size_t>& solvers, cons
   for (const std::size_t s : solvers) work.solve_runners[s].end_processes();
 }
 
-void solve_parts(const Work& work, const std::vector<std::size_t>& solvers, const std::vector<Part>& parts, int jobs,
-                 const std::atomic<bool>* cancelled, const TakeSolve& check, RecordQueue& record_queue) {
+void solve_parts(const StudyWork& work, const std::vector<std::size_t>& solvers, const std::vector<Part>& parts,
+                 int jobs, const std::atomic<bool>* cancelled, const SolveVisitor& check, RecordQueue& record_queue) {
   std::map<int, std::vector<std::size_t>> by_batch;
   for (const std::size_t s : solvers) by_batch[work.solve_runners[s].batch()].push_back(s);
-  for (const auto& [batch, alike] : by_batch) solve_alike(work, alike, parts, jobs, cancelled, check, record_queue);
+  for (const auto& [batch, alike] : by_batch)
+    solve_with_batch_size(work, alike, parts, jobs, cancelled, check, record_queue);
 }
 
 // The anomalies of programs and users' classes, by label.
-using Oddities = std::map<std::string, std::set<std::string>>;
+using Anomalies = std::map<std::string, std::set<std::string>>;
 
 // Cuts names of notes to what the store takes, and notes anomalies of a user's class.
 void tidy(SolveRecord& solve, std::set<std::string>& odd) {
@@ -282,7 +286,7 @@ void tidy(SolveRecord& solve, std::set<std::string>& odd) {
 }
 
 // Returns sentences on the anomalies of programs and classes, and adds them to the session.
-std::vector<std::string> tell_of(const Work& work, Oddities& odd, Store& store, std::int64_t session) {
+std::vector<std::string> tell_of(const StudyWork& work, Anomalies& odd, Store& store, std::int64_t session) {
   std::vector<std::string> sentences;
   for (const SolveRunner& solve_runner : work.solve_runners)
     if (const std::string of_program = solve_runner.odd(); !of_program.empty())
@@ -296,15 +300,16 @@ std::vector<std::string> tell_of(const Work& work, Oddities& odd, Store& store, 
   return sentences;
 }
 
-void solve_missing(Work& work, const StoredStudy& stored, Store& store, const RunRequest& request, Progress& progress) {
+void solve_missing(StudyWork& work, const StoredStudy& stored, Store& store, const RunRequest& request,
+                   Progress& progress) {
   std::map<std::string, std::string> session = environment();
-  Oddities odd;
+  Anomalies odd;
   for (const SolverEntry& entry : work.study.solvers) {
     session["source." + entry.solver] = source_digest_of(entry);
-    if (const std::string library = library_of(entry); !library.empty()) session["library." + entry.solver] = library;
+    if (const std::string library = library_name(entry); !library.empty()) session["library." + entry.solver] = library;
     if (entry.own) odd[entry.label];
   }
-  for (const LeftOut& left_out : work.study.left_out) session["left_out." + left_out.label] = left_out.why;
+  for (const SkippedSolver& left_out : work.study.left_out) session["left_out." + left_out.label] = left_out.why;
   session["jobs"] = std::to_string(request.jobs);
   session["command"] = request.command;
   if (request.shard.count > 1) session["shard"] = request.shard.text();
@@ -357,13 +362,13 @@ void refuse_another(const StoredStudy& ours, const StoredStudy& now) {
 }  // namespace
 
 Progress run(const Study& study, Store& store, const RunRequest& request) {
-  return run(study, stored_study(study), store, request);
+  return run(study, to_stored(study), store, request);
 }
 
 Progress run(const Study& study, const StoredStudy& stored, Store& store, const RunRequest& request) {
-  Work work(study, stored.series, request.jobs, request.shard);
+  StudyWork work(study, stored.series, request.jobs, request.shard);
   store.save_study(stored);
-  Progress progress{.total = solves_of(request.shard, study)};
+  Progress progress{.total = planned_solve_count(request.shard, study)};
   progress.done = progress.reused = move_past_stored(work, store);
   if (request.progress) request.progress(progress);
   if (progress.done < progress.total) solve_missing(work, stored, store, request, progress);
@@ -371,9 +376,9 @@ Progress run(const Study& study, const StoredStudy& stored, Store& store, const 
   return progress;
 }
 
-void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,
-                 const std::atomic<bool>* cancelled) {
-  const Work work(study, series_of(study), jobs);
+void solve_without_store(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,
+                         const std::atomic<bool>* cancelled) {
+  const StudyWork work(study, series_of(study), jobs);
   RecordQueue record_queue([&](std::vector<SolveRecord>& records) {
     for (SolveRecord& record : records) take(std::move(record));
   });
@@ -382,7 +387,7 @@ void solve_study(const Study& study, int jobs, const std::function<void(SolveRec
   solve_parts(work, all, work.parts_in({}), jobs, cancelled, {}, record_queue);
 }
 
-bool moves_arm(const SolveRecord& solve, Start start) {
+bool continues_from(const SolveRecord& solve, Start start) {
   return start == Start::previous && solve.status != Status::not_finite;
 }
 

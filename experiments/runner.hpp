@@ -41,17 +41,17 @@ struct RunRequest {
 // the clock; solves before it are stored. Throws std::invalid_argument at the end if another process has saved another
 // study of that name.
 Progress run(const Study& study, results::Store& store, const RunRequest& request);
-// Does the same for a caller who has the stored_study already.
+// Does the same for a caller who has the to_stored already.
 Progress run(const Study& study, const results::StoredStudy& stored, results::Store& store, const RunRequest& request);
 
 // Makes all solves of a study, without a store. `take` receives each as soon as it is done, from one thread at a time,
 // within a run in the order of its points. `cancelled` is checked before every solve.
-void solve_study(const Study& study, int jobs, const std::function<void(results::SolveRecord)>& take,
-                 const std::atomic<bool>* cancelled = nullptr);
+void solve_without_store(const Study& study, int jobs, const std::function<void(results::SolveRecord)>& take,
+                         const std::atomic<bool>* cancelled = nullptr);
 
 // Returns true if the next solve of the run begins at this answer. It does not if the answer is no configuration, or if
 // every solve has its own start.
-bool moves_arm(const results::SolveRecord& solve, Start start);
+bool continues_from(const results::SolveRecord& solve, Start start);
 
 // Solves one target by one solver. The record has every number that a study would have.
 results::SolveRecord solve_once(const Study& study, const SolverEntry& entry, const Pose& target);

@@ -29,9 +29,9 @@ namespace {
 std::vector<double> to_vector(const Configuration& values) { return {values.begin(), values.end()}; }
 
 // Restores rounding, traps and subnormal numbers after a solve, whatever the solver did to them.
-struct OwnArithmetic {
-  OwnArithmetic() { std::fegetenv(&before); }
-  ~OwnArithmetic() { std::fesetenv(&before); }
+struct FloatingPointGuard {
+  FloatingPointGuard() { std::fegetenv(&before); }
+  ~FloatingPointGuard() { std::fesetenv(&before); }
   std::fenv_t before;
 };
 
@@ -82,17 +82,17 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, std::stri
                                  : Timing::clean),
       is_counted_(entry.program || info_of(entry).is_counted) {
   if (!entry.program) return;
-  conversations_ = std::make_unique<Conversations>(
+  conversations_ = std::make_unique<ProcessPool>(
       entry.program, robot_message(arm, task_.arm(), task_.goal(Pose::Identity()), "", entry.program->hello, options_));
 }
 
 std::unique_ptr<Solver> SolveRunner::make_solver() const {
-  if (conversations_) return std::make_unique<ForeignSolver>(*conversations_, study_.stop);
+  if (conversations_) return std::make_unique<ExternalSolver>(*conversations_, study_.stop);
   return info_of(entry_).make(options_);
 }
 
 void SolveRunner::count_failure(Solver& solver) const {
-  if (conversations_) static_cast<ForeignSolver&>(solver).count_failure();
+  if (conversations_) static_cast<ExternalSolver&>(solver).count_failure();
 }
 
 void SolveRunner::end_processes() const {
@@ -103,13 +103,13 @@ std::string SolveRunner::odd() const {
   std::vector<std::string> told;
   if (const std::string failure = conversations_ ? conversations_->last_failure() : ""; !failure.empty())
     told.push_back("last failure: " + failure);
-  if (differed_ > 0)
-    told.push_back(fmt::format("it answers otherwise when it is asked again, {} of {} times", differed_.load(),
-                               asked_again_.load()));
+  if (rerun_differences_ > 0)
+    told.push_back(fmt::format("it answers otherwise when it is asked again, {} of {} times", rerun_differences_.load(),
+                               rerun_count_.load()));
   return fmt::format("{}", fmt::join(told, "; "));
 }
 
-SolveRunner::Timed SolveRunner::timed(Solver& solver, const Call& call) const {
+SolveRunner::TimedSolve SolveRunner::timed(Solver& solver, const Call& call) const {
   const auto& [target, start, run, point] = call;
   const Problem problem = task_.problem(start, effective_population(study_, entry_));
   Objective objective(task_.arm(), task_.goal(target));
@@ -117,11 +117,11 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Call& call) const {
                     .with(entry_.label)
                     .with(static_cast<std::uint64_t>(run))
                     .with(static_cast<std::uint64_t>(point)));
-  auto* const program = conversations_ ? static_cast<ForeignSolver*>(&solver) : nullptr;
+  auto* const program = conversations_ ? static_cast<ExternalSolver*>(&solver) : nullptr;
   const auto asked = std::chrono::steady_clock::now();
   if (program != nullptr) program->prepare(problem, objective);
-  Timed timed;
-  const OwnArithmetic kept;  // takes 0.1 us, outside the solver's time
+  TimedSolve timed;
+  const FloatingPointGuard kept;  // takes 0.1 us, outside the solver's time
   const Place place(entry_.label, run, point);
   try {
     const bool has_failed = program != nullptr && program->account().failure;  // a failure in the warm-up
@@ -140,7 +140,7 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Call& call) const {
     throw std::runtime_error(place("the solver throws what is no std::exception"));
   }
   if (program == nullptr) return timed;
-  const Account& account = timed.account.emplace(program->account());
+  const ProcessReport& account = timed.account.emplace(program->account());
   timed.cpu_seconds = account.cpu_seconds;
   timed.solution.evaluations = account.evaluations;
   timed.solution.iterations = account.iterations;
@@ -153,45 +153,45 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Call& call) const {
 void SolveRunner::warm_up(Solver& solver, const Call& call, std::size_t together) const {
   for (std::size_t i = 0; batch() > 0 && i < together; ++i) heat(solver, call);
   if (batch() > 0) {
-    solve_unrecorded([&](std::uint32_t) { ask(solver); });
-    return static_cast<ForeignSolver&>(solver).forget_batch();  // a target may be asked for again
+    warm_up_calls([&](std::uint32_t) { ask(solver); });
+    return static_cast<ExternalSolver&>(solver).clear_batch();  // a target may be asked for again
   }
   if (conversations_) {
     const Problem problem = task_.problem(call.start, effective_population(study_, entry_));
-    return static_cast<ForeignSolver&>(solver).prepare(problem, Objective(task_.arm(), task_.goal(call.target)));
+    return static_cast<ExternalSolver&>(solver).prepare(problem, Objective(task_.arm(), task_.goal(call.target)));
   }
   try {
-    solve_unrecorded([&](std::uint32_t) { timed(solver, call); });
+    warm_up_calls([&](std::uint32_t) { timed(solver, call); });
   } catch (const std::exception&) {  // the solve itself will report it
   }
 }
 
 SolveRecord SolveRunner::solve(Solver& solver, const Call& call) const {
-  const double before = thread_seconds();
-  Timed made = timed(solver, call);
-  if (!made.account) made.cpu_seconds = thread_seconds() - before;
+  const double before = thread_cpu_seconds();
+  TimedSolve made = timed(solver, call);
+  if (!made.account) made.cpu_seconds = thread_cpu_seconds() - before;
   const auto verified = [&](const Configuration& answer) {
     return verify(arm_, call.target, call.start, answer, study_.search == Search::axis, study_.motion_joints);
   };
   const Verification as_answered = verified(made.answer);
   const Status status = status_of(made, as_answered, call.target);
   constexpr int one_in = 10;
-  const auto ended_itself = [&](const Timed& its) {  // otherwise the clock may have chosen the answer
+  const auto ended_itself = [&](const TimedSolve& its) {  // otherwise the clock may have chosen the answer
     return study_.stop.seconds == 0 || its.seconds < study_.stop.seconds;
   };
   const bool may_repeat = (conversations_ || entry_.own) && !is_without_answer(status) && ended_itself(made);
   if (may_repeat && (call.run + call.point) % one_in == 0)
-    if (const Timed again = timed(solver, call); ended_itself(again) && !(again.account && again.account->failure))
-      ++asked_again_, differed_ += !same_bits(again.answer, made.answer);
+    if (const TimedSolve again = timed(solver, call); ended_itself(again) && !(again.account && again.account->failure))
+      ++rerun_count_, rerun_differences_ += !same_bits(again.answer, made.answer);
   if (stays(status))  // the record says that the arm stays
-    return record_of(call, made, status, call.start, verified(call.start));
-  return record_of(call, made, status, made.answer, as_answered);
+    return make_record(call, made, status, call.start, verified(call.start));
+  return make_record(call, made, status, made.answer, as_answered);
 }
 
-SolveRecord SolveRunner::record_of(const Call& call, const Timed& made, Status status, const Configuration& answer,
-                                   const Verification& verified) const {
+SolveRecord SolveRunner::make_record(const Call& call, const TimedSolve& made, Status status,
+                                     const Configuration& answer, const Verification& verified) const {
   const Solution& solution = made.solution;
-  const Account* const account = made.account ? &*made.account : nullptr;
+  const ProcessReport* const account = made.account ? &*made.account : nullptr;
   StopReason stopped = solution.stopped;
   if (account != nullptr && account->failure)
     stopped = *account->failure == Status::timed_out ? StopReason::time : StopReason::finished;
@@ -206,7 +206,7 @@ SolveRecord SolveRunner::record_of(const Call& call, const Timed& made, Status s
       .run = call.run,
       .point = call.point,
       .target_position_m = to_vector(call.target.translation()),
-      .target_rotation = by_rows(call.target.linear()),
+      .target_rotation = row_major(call.target.linear()),
       .start_rad = to_vector(call.start),
       .answer_rad = to_vector(answer),
       .reached_position_m = to_vector(verified.reached),
@@ -235,7 +235,7 @@ SolveRecord SolveRunner::record_of(const Call& call, const Timed& made, Status s
       .restarts = solution.restarts,
       .extras = made.extras};
   if (stays(status) && account != nullptr && !account->failure)  // otherwise the answer of the program would be lost
-    for (int j = 0; j < arm_.joints(); ++j) record.extras[fmt::format("{}{}", refused_extra, j + 1)] = made.answer[j];
+    for (int j = 0; j < arm_.joints(); ++j) record.extras[fmt::format("{}{}", refused_prefix, j + 1)] = made.answer[j];
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   if (is_counted) {
     record.improved_at.assign(solution.improved.at.begin(), solution.improved.at.end());
@@ -244,7 +244,7 @@ SolveRecord SolveRunner::record_of(const Call& call, const Timed& made, Status s
   return record;
 }
 
-Status SolveRunner::status_of(const Timed& timed, const Verification& verified, const Pose& target) const {
+Status SolveRunner::status_of(const TimedSolve& timed, const Verification& verified, const Pose& target) const {
   if (timed.account && timed.account->failure) return *timed.account->failure;
   if (timed.solution.stopped == StopReason::not_finite) return Status::not_finite;
   const bool claims = timed.account && !std::isnan(timed.account->claimed_error);
@@ -261,10 +261,10 @@ Status SolveRunner::status_of(const Timed& timed, const Verification& verified, 
 
 // Programs and libraries stop by themselves, so they may exceed their budget. On a busy machine they wait, so the
 // smaller of wall and processor time counts.
-bool SolveRunner::is_late(const Timed& timed) const {
+bool SolveRunner::is_late(const TimedSolve& timed) const {
   if (!entry_.program && info_of(entry_).library.empty()) return false;
   if (timed.account && timed.account->went_on) return true;
-  return is_over({.seconds = timed.account ? own_seconds(*timed.account, timed.seconds)
+  return is_over({.seconds = timed.account ? credible_seconds(*timed.account, timed.seconds)
                                            : std::min(timed.seconds, timed.cpu_seconds),
                   .evaluations = timed.solution.evaluations,
                   .iterations = timed.solution.iterations},

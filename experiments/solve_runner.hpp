@@ -19,7 +19,7 @@
 
 namespace ikbench::experiments {
 
-inline Eigen::VectorXd vector_of(const std::vector<double>& values) {
+inline Eigen::VectorXd to_eigen(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
 }
 
@@ -56,7 +56,7 @@ class SolveRunner {
   int batch() const { return entry_.program ? entry_.program->choice.batch : 0; }
   // Asks an entry with a batch for all calls that `heat` collected since the last time; `solve` then has their answers.
   // Returns false if the batch failed, with all of its solves.
-  bool ask(solvers::Solver& solver) const { return static_cast<ForeignSolver&>(solver).ask(); }
+  bool ask(solvers::Solver& solver) const { return static_cast<ExternalSolver&>(solver).ask(); }
   // Starts a program, and makes a few unrecorded solves, whatever comes of them; with a batch, `together` calls at
   // once.
   void warm_up(solvers::Solver& solver, const Call& call, std::size_t together = 1) const;
@@ -68,19 +68,19 @@ class SolveRunner {
   results::SolveRecord solve(solvers::Solver& solver, const Call& call) const;
 
  private:
-  struct Timed {
+  struct TimedSolve {
     solvers::Solution solution = {};
-    Configuration answer = {};            // all joints
-    double seconds = 0;                   // [s] to solve, and to complete the answer
-    std::optional<Account> account = {};  // if a program solved
-    double cpu_seconds = 0;               // [s] of the program, otherwise of this thread
+    Configuration answer = {};                  // all joints
+    double seconds = 0;                         // [s] to solve, and to complete the answer
+    std::optional<ProcessReport> account = {};  // if a program solved
+    double cpu_seconds = 0;                     // [s] of the program, otherwise of this thread
     std::map<std::string, double> extras = {};
   };
-  Timed timed(solvers::Solver& solver, const Call& call) const;
-  results::SolveRecord record_of(const Call& call, const Timed& made, results::Status status,
-                                 const Configuration& answer, const Verification& verified) const;
-  results::Status status_of(const Timed& timed, const Verification& verified, const Pose& target) const;
-  bool is_late(const Timed& timed) const;
+  TimedSolve timed(solvers::Solver& solver, const Call& call) const;
+  results::SolveRecord make_record(const Call& call, const TimedSolve& made, results::Status status,
+                                   const Configuration& answer, const Verification& verified) const;
+  results::Status status_of(const TimedSolve& timed, const Verification& verified, const Pose& target) const;
+  bool is_late(const TimedSolve& timed) const;
 
   const Study& study_;
   const SolverEntry& entry_;
@@ -89,9 +89,9 @@ class SolveRunner {
   solvers::Settings options_;
   std::string key_;
   results::Timing timing_;
-  bool is_counted_;                               // true: counted here; false: by the program
-  std::unique_ptr<Conversations> conversations_;  // null if no program solves
-  mutable std::atomic<int> asked_again_ = 0, differed_ = 0;
+  bool is_counted_;                             // true: counted here; false: by the program
+  std::unique_ptr<ProcessPool> conversations_;  // null if no program solves
+  mutable std::atomic<int> rerun_count_ = 0, rerun_differences_ = 0;
 };
 
 }  // namespace ikbench::experiments

@@ -40,15 +40,15 @@ Study study_in_store(const StoredStudy& stored) {
     throw std::invalid_argument(fmt::format(
         "study {}: its stored arm cannot be read; it was changed: solve it again into another folder", stored.name));
   Study study;
-  static_cast<StudyData&>(study) = stored.definition;
+  static_cast<StudySpec&>(study) = stored.definition;
   study.robot_of_file = std::make_shared<const Robot>(*arm);
-  study.initial = nearest_to_zero(*arm);
+  study.initial = default_configuration(*arm);
   return study;
 }
 
 Pose target_of(const SolveRecord& solve) {
   Pose target = Pose::Identity();
-  target.translation() = vector_of(solve.target_position_m);
+  target.translation() = to_eigen(solve.target_position_m);
   target.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(solve.target_rotation.data());
   return target;
 }
@@ -119,7 +119,7 @@ bool may_spend(const StopRule& stop, Kind kind, const SolveRecord& solve) {
 
 // Refuses a solve without the results of the study's check: all its numbers if the answer reached its target, and one
 // reason if the answer is invalid.
-void refuse_wrong_check(const Definition& study, const SolveRecord& solve) {
+void refuse_wrong_check(const StudyDefinition& study, const SolveRecord& solve) {
   const bool has_check = !study.check.process.empty(), is_invalid = solve.status == Status::invalid;
   const auto is_there = [&](const std::string& number) {
     const auto extra = solve.extras.find(fmt::format("{}{}", check_extra, number));
@@ -131,7 +131,7 @@ void refuse_wrong_check(const Definition& study, const SolveRecord& solve) {
     refuse(solve, "its status or extras are not what the study's check gives");
 }
 
-void check(const Definition& study, const Robot& arm, Kind kind, const SolveRecord& solve) {
+void check(const StudyDefinition& study, const Robot& arm, Kind kind, const SolveRecord& solve) {
   if (const std::string wrong = wrong_number(solve); !wrong.empty())
     refuse(solve, fmt::format("{}, which no solve has", wrong));
   if (solve.run < 1 || solve.point < 1 || solve.point > study.points)
@@ -147,7 +147,7 @@ void check(const Definition& study, const Robot& arm, Kind kind, const SolveReco
     refuse(solve, fmt::format("it has {} (counted by {}) in {} and stops by {}, which no solve of this study does",
                               counted(solve.evaluations, "evaluations"), name_of(solve.counted_by),
                               counted(solve.iterations, "iterations"), name_of(solve.stop_reason)));
-  const Verification computed = verify(arm, target_of(solve), vector_of(solve.start_rad), vector_of(solve.answer_rad),
+  const Verification computed = verify(arm, target_of(solve), to_eigen(solve.start_rad), to_eigen(solve.answer_rad),
                                        study.search == Search::axis, study.motion_joints);
   expect("position_error_cm", solve, solve.position_error_cm, computed.position_error / centimetre, 1e-7);
   expect("orientation_error", solve, solve.orientation_error, computed.orientation_error, 1e-8);
@@ -183,7 +183,7 @@ void check(const Definition& study, const Robot& arm, Kind kind, const SolveReco
 
 }  // namespace
 
-TakeSolve check_of(const StoredStudy& study) {
+SolveVisitor check_of(const StoredStudy& study) {
   std::map<std::string, Kind> kinds;  // by label
   for (const Series& series : study.series)
     kinds[series.label] = built_in(series)                                  ? Kind::ours
@@ -194,7 +194,7 @@ TakeSolve check_of(const StoredStudy& study) {
   };
 }
 
-TakeSolve recheck_of(const StoredStudy& study) {
+SolveVisitor recheck_of(const StoredStudy& study) {
   return [check = check_of(study), start = study.definition.start, is_chained = study.definition.is_chained(),
           next = std::tuple(std::string(), 0, 0), left_rad = std::vector<double>()](const SolveRecord& solve) mutable {
     of_stored([&] {
@@ -203,11 +203,11 @@ TakeSolve recheck_of(const StoredStudy& study) {
       check(solve);
     });
     next = {solve.label, solve.run, solve.point + 1};
-    left_rad = moves_arm(solve, start) ? solve.answer_rad : solve.start_rad;
+    left_rad = continues_from(solve, start) ? solve.answer_rad : solve.start_rad;
   };
 }
 
-TakeSolve redraw_of(const StoredStudy& stored) {
+SolveVisitor redraw_of(const StoredStudy& stored) {
   Study study = study_in_store(stored);
   const toml::table all = toml_of(parsed_json(stored.definition.json));
   TomlReader reader(all, "the definition of " + stored.name, "");
@@ -226,7 +226,7 @@ TakeSolve redraw_of(const StoredStudy& stored) {
       poses = targets(study, *study.robot_of_file, run), own = starts(study, *study.robot_of_file, run);
     const auto place = static_cast<std::size_t>(solve.point - 1);
     const bool is_drawn = same_bits(poses[place].translation(), solve.target_position_m) &&
-                          same_bits(by_rows(poses[place].linear()), solve.target_rotation);
+                          same_bits(row_major(poses[place].linear()), solve.target_rotation);
     const bool begins = !study.is_chained() || solve.point == 1;
     of_stored([&] {
       if (!is_drawn) refuse(solve, "the study's seed draws another target");
@@ -252,10 +252,10 @@ void check_name(const StoredStudy& study, const Series& series) {
 
 }  // namespace
 
-SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int64_t most,
+RerunReport solve_again(const Store& store, const StoredStudy& stored, std::int64_t most,
                         const std::function<void(const Progress&)>& progress) {
   Study study = study_in_store(stored);
-  SolvedAgain found;
+  RerunReport found;
   std::map<std::string, SolverEntry> entries;  // by label
   std::map<std::string, SolveRunner> runners;
   for (const Series& series : stored.series) {
@@ -283,7 +283,7 @@ SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int6
     study.trace = solve.trace_cm.empty() ? solvers::Trace::none : solvers::Trace::best_error;
     const SolveRunner& runner = runners.at(solve.label);
     const SolveRecord again =
-        runner.solve(*runner.make_solver(), {target_of(solve), vector_of(solve.start_rad), solve.run, solve.point});
+        runner.solve(*runner.make_solver(), {target_of(solve), to_eigen(solve.start_rad), solve.run, solve.point});
     of_stored([&] {
       const auto compare = [&](const char* column, const auto& made, const auto& of_store) {
         if (made != of_store) refuse(solve, fmt::format("made again, it has {} {}, not {}", column, made, of_store));

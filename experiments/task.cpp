@@ -19,7 +19,7 @@ Chain without_last(const Chain& whole) {
 
 }  // namespace
 
-bool only_turns_tool(const Chain& whole) {
+bool rotates_tool_only(const Chain& whole) {
   const DhLink& last = whole.links().back();
   return whole.joints() > 1 && last.joint == Joint::turns && last.a == 0 && last.alpha == 0 && last.beta == 0 &&
          whole.tool().position.head<2>().isZero(0);
@@ -66,10 +66,10 @@ Configuration Task::completed(const Configuration& found, const Pose& target, co
 }
 
 void Task::wrap(Configuration& answer, const Configuration& start) const {
-  if (study_.wrap == Wrap::no) return;
+  if (study_.wrap == WrapPolicy::no) return;
   for (Eigen::Index j = 0; j < answer.size(); ++j) {
     if (arm_.chain.slides(j)) continue;
-    if (study_.wrap == Wrap::nearest) answer[j] += whole_turn * std::round((start[j] - answer[j]) / whole_turn);
+    if (study_.wrap == WrapPolicy::nearest) answer[j] += whole_turn * std::round((start[j] - answer[j]) / whole_turn);
     answer[j] = turned_inside(answer[j], arm_.limits.lower[j], arm_.limits.upper[j]);
   }
 }

@@ -11,7 +11,7 @@
 namespace ikbench::experiments {
 
 // Returns true if the last joint turns the tool about its own point, which it therefore does not move.
-bool only_turns_tool(const robots::Chain& whole);
+bool rotates_tool_only(const robots::Chain& whole);
 
 // The search for one target, over all joints or over those before the wrist. Study and arm have to outlive it.
 class Task {

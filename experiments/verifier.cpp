@@ -166,14 +166,14 @@ Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorX
           .limit_violation_m = beyond_rounding(largest(of_joints(robot, outside, true)))};
 }
 
-bool is_over(const Spent& spent, const StopRule& budget) {
-  const auto exceeds = [](double used, double given) { return given > 0 && used > most_of_budget * given; };
+bool is_over(const ResourceUse& spent, const StopRule& budget) {
+  const auto exceeds = [](double used, double given) { return given > 0 && used > max_budget_ratio * given; };
   return exceeds(spent.seconds, budget.seconds) ||
          exceeds(static_cast<double>(spent.evaluations), static_cast<double>(budget.evaluations)) ||
          exceeds(static_cast<double>(spent.iterations), budget.iterations);
 }
 
-Status status_by(const Verification& verified, const Requirement& requirement) {
+Status status_by(const Verification& verified, const AcceptanceCriteria& requirement) {
   if (!std::isfinite(verified.position_error) || !std::isfinite(verified.orientation_error)) return Status::not_finite;
   const bool claim_holds = std::abs(verified.position_error - requirement.claimed_error) <=
                            rounding + requirement.claim_slack;  // false for NaN

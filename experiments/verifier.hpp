@@ -37,7 +37,7 @@ Verification verify(const robots::Robot& robot, const robots::Pose& target, cons
                     const Eigen::VectorXd& answer, bool turns_freely = false, int motion_joints = 0);
 
 // The requirements of an answer, besides being a finite configuration.
-struct Requirement {
+struct AcceptanceCriteria {
   double claimed_error = 0;           // [m], as the solver reports it
   double claim_slack = 0;             // [m] that it may be off, besides rounding
   double claimed_pose_error = 0;      // [m], of three points of the tool, as solvers::Objective
@@ -51,17 +51,17 @@ struct Requirement {
 constexpr double claim_slack_of_programs = 1e-6;
 
 // The share of its budget up to which a solver that stops by itself is not over budget.
-constexpr double most_of_budget = 1.5;
+constexpr double max_budget_ratio = 1.5;
 // The cost of one solve.
-struct Spent {
+struct ResourceUse {
   double seconds = 0;
   std::int64_t evaluations = 0, iterations = 0;
 };
-// Returns true if a solver that stops by itself took more than `most_of_budget` times its budget.
-bool is_over(const Spent& spent, const solvers::StopRule& budget);
+// Returns true if a solver that stops by itself took more than `max_budget_ratio` times its budget.
+bool is_over(const ResourceUse& spent, const solvers::StopRule& budget);
 
 // Returns the most severe fault of an answer, in the order of Status (results/record.hpp). A difference of 1e-9 (m,
 // rad) is rounding.
-results::Status status_by(const Verification& verified, const Requirement& requirement);
+results::Status status_by(const Verification& verified, const AcceptanceCriteria& requirement);
 
 }  // namespace ikbench::experiments

@@ -5,11 +5,11 @@
 
 namespace ikbench::experiments {
 
-void share_out(std::size_t count, int jobs, const std::atomic<bool>* cancelled,
-               const std::function<void(std::size_t, std::size_t, const IsOver&)>& work) {
+void parallel_for(std::size_t count, int jobs, const std::atomic<bool>* cancelled,
+                  const std::function<void(std::size_t, std::size_t, const StopRequested&)>& work) {
   std::atomic<std::size_t> next{0};
   std::atomic<bool> has_failed{false};
-  const IsOver is_over = [&] { return has_failed || (cancelled != nullptr && *cancelled); };
+  const StopRequested is_over = [&] { return has_failed || (cancelled != nullptr && *cancelled); };
   const auto work_as = [&](std::size_t worker) {
     try {
       for (std::size_t i = next++; i < count && !is_over(); i = next++) work(i, worker, is_over);
@@ -25,13 +25,13 @@ void share_out(std::size_t count, int jobs, const std::atomic<bool>* cancelled,
   for (std::future<void>& each : workers) each.get();
 }
 
-PauseWatch::PauseWatch()
+SuspensionWatch::SuspensionWatch()
     : thread_([this] {
         std::unique_lock lock(mutex_);
         while (!end_.wait_for(lock, std::chrono::milliseconds(50), [this] { return is_over_; })) look();
       }) {}
 
-PauseWatch::~PauseWatch() {
+SuspensionWatch::~SuspensionWatch() {
   {
     const std::scoped_lock lock(mutex_);
     is_over_ = true;
@@ -40,12 +40,12 @@ PauseWatch::~PauseWatch() {
   thread_.join();
 }
 
-PauseWatch::Clock::duration PauseWatch::paused() {
+SuspensionWatch::Clock::duration SuspensionWatch::paused() {
   const std::scoped_lock lock(mutex_);
   return look();
 }
 
-PauseWatch::Clock::duration PauseWatch::look() {
+SuspensionWatch::Clock::duration SuspensionWatch::look() {
   const Clock::time_point now = Clock::now();
   if (const Clock::duration gap = now - last_; gap > std::chrono::milliseconds(200)) paused_ += gap;
   last_ = now;

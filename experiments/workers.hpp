@@ -26,22 +26,22 @@ struct Progress {
 };
 
 // Returns true if a worker has to stop, because another one threw or the user cancelled.
-using IsOver = std::function<bool()>;
+using StopRequested = std::function<bool()>;
 // Calls work(index, worker, is_over) for each index below `count`, in ascending order, by the workers 0 to jobs - 1,
 // each a thread. One job runs in this thread. Returns when all have ended, and rethrows an exception of one.
-void share_out(std::size_t count, int jobs, const std::atomic<bool>* cancelled,
-               const std::function<void(std::size_t index, std::size_t worker, const IsOver& is_over)>& work);
+void parallel_for(std::size_t count, int jobs, const std::atomic<bool>* cancelled,
+                  const std::function<void(std::size_t index, std::size_t worker, const StopRequested& is_over)>& work);
 
 // Measures how long the whole process was suspended while the clock went on: by SIGSTOP, in a frozen container, on a
 // sleeping machine. No signal announces that, so a thread looks at the clock often and counts the time that it missed.
-class PauseWatch {
+class SuspensionWatch {
  public:
   using Clock = std::chrono::steady_clock;
 
-  PauseWatch();
-  ~PauseWatch();
-  PauseWatch(const PauseWatch&) = delete;
-  PauseWatch& operator=(const PauseWatch&) = delete;
+  SuspensionWatch();
+  ~SuspensionWatch();
+  SuspensionWatch(const SuspensionWatch&) = delete;
+  SuspensionWatch& operator=(const SuspensionWatch&) = delete;
 
   Clock::duration paused();  // so far, in pauses of more than 0.2 s
 
@@ -61,9 +61,9 @@ class PauseWatch {
 class RecordQueue {
  public:
   using Clock = std::chrono::steady_clock;
-  using PassOn = std::function<void(std::vector<results::SolveRecord>&)>;  // the records are its own
+  using Consumer = std::function<void(std::vector<results::SolveRecord>&)>;  // the records are its own
 
-  explicit RecordQueue(PassOn pass_on, Clock::duration patience = {})
+  explicit RecordQueue(Consumer pass_on, Clock::duration patience = {})
       : pass_on_(std::move(pass_on)), patience_(patience) {}
   void hand_in(results::SolveRecord&& record);
   void flush();  // passes on what waits
@@ -71,7 +71,7 @@ class RecordQueue {
  private:
   void pass_on(std::unique_lock<std::mutex>& lock);
 
-  PassOn pass_on_;
+  Consumer pass_on_;
   Clock::duration patience_;
   Clock::time_point last_ = Clock::now();
   std::mutex mutex_;

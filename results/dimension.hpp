@@ -19,13 +19,13 @@ using Dimension = std::vector<Alternative>;  // the first alternative is the def
 // All interpretations of a paper. A reading (an interpretation) takes one alternative from each dimension. Solvers are
 // independent, so each is solved by itself, and only once for all readings that ask the same of it.
 struct Multiverse {
-  struct Reading {
+  struct Interpretation {
     std::vector<std::string> settings;
     std::vector<std::vector<std::size_t>> parts = {};  // by solver and seed: index of the series with its numbers
   };
   std::vector<Dimension> dimensions;
   std::vector<std::string> solvers;
-  std::vector<Reading> readings;
+  std::vector<Interpretation> readings;
 };
 
 }  // namespace ikbench::results

@@ -112,7 +112,7 @@ std::vector<ColumnInfo> columns() {
   return list;
 }
 
-void write_csv(const PassSolves& pass, const base::Write& write, const std::vector<std::string>& extras) {
+void write_csv(const SolveSource& pass, const base::Write& write, const std::vector<std::string>& extras) {
   constexpr std::size_t part = 1 << 20;  // bytes that are written at a time
   Widths widths;
   std::string text;

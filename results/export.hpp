@@ -21,11 +21,11 @@ struct ColumnInfo {
 std::vector<ColumnInfo> columns();
 
 // Passes solves on one by one, in the order solver, run, point. A call begins again at the first solve.
-using PassSolves = std::function<void(const TakeSolve& take)>;
+using SolveSource = std::function<void(const SolveVisitor& take)>;
 
 // The beginning of the names of extras that hold a refused answer [rad, m] of a program: `refused_1` is its first
 // joint. The arm stayed where it was.
-constexpr std::string_view refused_extra = "refused_";
+constexpr std::string_view refused_prefix = "refused_";
 // The beginnings of the names of extras that a study's own check gives: its numbers, and why an answer is invalid.
 constexpr std::string_view check_extra = "check_", invalid_extra = "invalid: ";
 
@@ -34,6 +34,6 @@ constexpr std::string_view check_extra = "check_", invalid_extra = "invalid: ";
 // list leaves cells empty; a longer one throws std::invalid_argument. The trace and the improvements are left out,
 // because they have up to one element per iteration: only the store has them. Values that are not finite are written as
 // NaN, Inf or -Inf. Evaluations that nobody counted are empty.
-void write_csv(const PassSolves& pass, const base::Write& write, const std::vector<std::string>& extras = {});
+void write_csv(const SolveSource& pass, const base::Write& write, const std::vector<std::string>& extras = {});
 
 }  // namespace ikbench::results

@@ -34,7 +34,7 @@ std::optional<std::string> hex_colour(std::string_view colour) {
   return hex;
 }
 
-std::optional<std::pair<std::string, std::string>> mistake_in(const FigureStyle& style) {
+std::optional<std::pair<std::string, std::string>> style_error(const FigureStyle& style) {
   const auto is_colour = [](const std::string& colour) { return hex_colour(colour).has_value(); };
   const auto is_size = [](double cm, double least) { return cm == 0 || cm >= least; };
   const std::set<std::string> shown(style.solvers.begin(), style.solvers.end()),
@@ -56,7 +56,7 @@ std::optional<std::pair<std::string, std::string>> mistake_in(const FigureStyle&
 void read_style(base::TomlReader reader, FigureStyle& style) {
   list_fields(reader, style);
   reader.refuse_unknown_keys();
-  if (const auto mistake = mistake_in(style)) {
+  if (const auto mistake = style_error(style)) {
     const toml::node* const node = reader.find(mistake->first);
     if (node == nullptr) throw std::invalid_argument(fmt::format("{}: expected {}", mistake->first, mistake->second));
     reader.fail(mistake->first, *node, mistake->second);

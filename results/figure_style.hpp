@@ -20,8 +20,8 @@ namespace ikbench::results {
 // The default colours. Each has a contrast of at least 3 on white, and a grey of its own, about 8 of CIE's L* from the
 // next. Any two are at least 24 apart by CIEDE2000, and 18 under protanopia and deuteranopia (Machado, Oliveira and
 // Fernandes 2009), which is more than in Okabe and Ito's palette (2008).
-inline const std::vector<std::string> own_palette{"#267195", "#9A3409", "#573B4B", "#1803A2",
-                                                  "#EB365A", "#9B80FF", "#000000"};
+inline const std::vector<std::string> default_palette{"#267195", "#9A3409", "#573B4B", "#1803A2",
+                                                      "#EB365A", "#9B80FF", "#000000"};
 
 inline const std::vector<std::string> picture_formats{"svg", "pdf", "png"};
 
@@ -29,7 +29,7 @@ struct FigureStyle {
   double width_cm = 0, height_cm = 0;  // size of every figure; 0: each figure has its own
   std::string font = "Liberation Sans";
   double text_pt = 8;
-  std::vector<std::string> palette = own_palette;
+  std::vector<std::string> palette = default_palette;
   std::vector<std::string> solvers = {};  // labels to draw, in this order; empty: all, as in the study
   std::vector<std::string> formats = {"svg", "pdf"};
   enum class Background { white, dark } background = Background::white;
@@ -60,7 +60,7 @@ std::optional<std::string> hex_colour(std::string_view colour);
 
 // Returns the key of the first value that no figure may have, with what is expected there; nothing if all values are
 // allowed.
-std::optional<std::pair<std::string, std::string>> mistake_in(const FigureStyle& style);
+std::optional<std::pair<std::string, std::string>> style_error(const FigureStyle& style);
 
 // Sets the keys that the table has and keeps the others. Throws std::invalid_argument with the place of a mistake
 // (base/toml_table.hpp).

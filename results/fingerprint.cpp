@@ -75,7 +75,7 @@ void add_column(Hash& hash, const Value& value) {
 }
 
 void add_record(Hash& hash, SolveRecord& record) {
-  record.series = configuration_of(record.series);
+  record.series = configuration_part(record.series);
   for_each_column_of_fingerprint([&](std::string_view, auto member) { add_column(hash, record.*member); });
 }
 

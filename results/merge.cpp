@@ -30,7 +30,7 @@ std::string quoted(const fs::path& place) { return fmt::format("'{}'", place.str
 Store opened(const fs::path& place) {
   try {
     return Store(place, Store::Mode::read);
-  } catch (const HalfWritten&) {
+  } catch (const InterruptedWrite&) {
     return Store(place, Store::Mode::write_shared);
   }
 }
@@ -52,7 +52,7 @@ std::vector<std::string> keys_of(const StoredStudy& study) {
 
 std::vector<std::string> configurations_of(const StoredStudy& study) {
   std::vector<std::string> keys = keys_of(study);
-  for (std::string& key : keys) key = configuration_of(key);
+  for (std::string& key : keys) key = configuration_part(key);
   return keys;
 }
 
@@ -73,7 +73,7 @@ std::string why_not_one(const StoredStudy& study, const StoredStudy& other) {
 using Studies = std::map<std::string, std::pair<StoredStudy, fs::path>>;
 
 // Throws std::invalid_argument, with the place of the store, if the check refuses a solve of the study.
-void check_solves(const Store& store, StoredStudy study, const CheckOf& check_of, const fs::path& place) {
+void check_solves(const Store& store, StoredStudy study, const MakeCheck& check_of, const fs::path& place) {
   // Another store's definition may have more runs, with which all of these solves count.
   study.definition.runs = std::numeric_limits<int>::max();
   try {
@@ -85,7 +85,7 @@ void check_solves(const Store& store, StoredStudy study, const CheckOf& check_of
 }
 
 // Returns the studies of a store after the check of every solve. Throws as `check_solves`.
-std::vector<StoredStudy> checked_studies(const fs::path& place, const CheckOf& check_of) {
+std::vector<StoredStudy> checked_studies(const fs::path& place, const MakeCheck& check_of) {
   const Store store = opened(place);
   std::vector<StoredStudy> studies = store.studies();
   for (const StoredStudy& study : studies) check_solves(store, study, check_of, place);
@@ -137,7 +137,7 @@ void refuse_other_bits(SQLite::Database& sqlite, const fs::path& ours, const fs:
 
 // Checks studies of `main` that took solves of the database `source` by their keys, although `source` has no study of
 // their name. These solves were checked only for another study, which may ask for something else.
-void check_taken(SQLite::Database& sqlite, const Store& ours, const CheckOf& check_of, const fs::path& theirs) {
+void check_taken(SQLite::Database& sqlite, const Store& ours, const MakeCheck& check_of, const fs::path& theirs) {
   SQLite::Statement query(
       sqlite,
       "SELECT name FROM main.studies WHERE name NOT IN (SELECT name FROM source.studies) AND name IN "
@@ -208,16 +208,16 @@ std::string difference_in_solves(const std::string& first, const std::string& se
   return "";
 }
 
-std::string lack_of(const Store& store, const StoredStudy& study) {
+std::string missing_solves_text(const Store& store, const StoredStudy& study) {
   const std::int64_t asked = std::int64_t{study.definition.runs} * study.definition.points * std::ssize(study.series);
-  const std::int64_t there = store.number_of_solves(study);
+  const std::int64_t there = store.solve_count(study);
   return there < asked ? fmt::format("lacks {} of {} solves", asked - there, asked) : "";
 }
 
-Merged merge(const fs::path& out, std::vector<fs::path> stores, const CheckOf& check_of,
-             const MergeProgress& progress) {
+MergeResult merge(const fs::path& out, std::vector<fs::path> stores, const MakeCheck& check_of,
+                  const MergeProgress& progress) {
   Studies studies;
-  Merged merged;
+  MergeResult merged;
   std::error_code none;
   const auto is_empty = [&](const fs::path& place) { return fs::file_size(place, none) == 0 && !none; };
   if (std::ranges::all_of(stores, is_empty))
@@ -254,7 +254,8 @@ Merged merge(const fs::path& out, std::vector<fs::path> stores, const CheckOf& c
     });
   }
   for (const StoredStudy& study : all.studies())
-    if (const std::string lack = lack_of(all, study); !lack.empty()) merged.lacks.push_back(study.name + ' ' + lack);
+    if (const std::string lack = missing_solves_text(all, study); !lack.empty())
+      merged.lacks.push_back(study.name + ' ' + lack);
   return merged;
 }
 

@@ -17,9 +17,9 @@ namespace ikbench::results {
 std::string difference_in_solves(const std::string& definition, const std::string& other);
 
 // Returns how much is missing, such as "lacks 21 of 90 solves"; empty if the study is complete.
-std::string lack_of(const Store& store, const StoredStudy& study);
+std::string missing_solves_text(const Store& store, const StoredStudy& study);
 
-struct Merged {
+struct MergeResult {
   std::int64_t stores = 0;  // stores that were read, without empty ones and `out`
   std::int64_t added = 0;
   std::int64_t known = 0;             // solves that were there already, with the same bits
@@ -28,7 +28,7 @@ struct Merged {
 };
 
 // Makes the check of a study's solves. The check throws std::invalid_argument for a solve that cannot be right.
-using CheckOf = std::function<TakeSolve(const StoredStudy&)>;
+using MakeCheck = std::function<SolveVisitor(const StoredStudy&)>;
 // Receives how many of all stores were read.
 using MergeProgress = std::function<void(std::int64_t done, std::int64_t all)>;
 
@@ -41,7 +41,7 @@ using MergeProgress = std::function<void(std::int64_t done, std::int64_t all)>;
 // Each store is added in one transaction. A merge that fails or is killed keeps the stores that it has added, and can
 // be repeated. Throws std::invalid_argument if two stores have different studies of one name, or different bits of one
 // solve (columns of the fingerprint), and as store.hpp says.
-Merged merge(const std::filesystem::path& out, std::vector<std::filesystem::path> stores, const CheckOf& check_of,
-             const MergeProgress& progress = {});
+MergeResult merge(const std::filesystem::path& out, std::vector<std::filesystem::path> stores,
+                  const MakeCheck& check_of, const MergeProgress& progress = {});
 
 }  // namespace ikbench::results

@@ -58,7 +58,7 @@ constexpr std::array<std::string_view, 3> names_of(CountedBy) { return {"suite",
 
 // Returns the smallest credible time [s] that a program may report of a solve that used `cpu_seconds`. It allows two
 // threads and 1 ms for messages. A smaller report is ignored.
-constexpr double least_told(double cpu_seconds) { return cpu_seconds / 2.2 - 0.001; }
+constexpr double min_credible_seconds(double cpu_seconds) { return cpu_seconds / 2.2 - 0.001; }
 
 // Returns true if the solver gave no answer within its budget.
 constexpr bool is_without_answer(Status status) { return status >= Status::crashed; }
@@ -76,10 +76,10 @@ constexpr std::string_view name_of(Enum value) {
 
 // The key of a series is CONFIGURATION@SOURCE: a hash of what the study asks for, and a hash of the code that solved
 // it.
-constexpr char before_source = '@';
+constexpr char source_separator = '@';
 // Returns the part of a key before the source.
-constexpr std::string_view configuration_of(std::string_view series) {
-  return series.substr(0, series.find(before_source));
+constexpr std::string_view configuration_part(std::string_view series) {
+  return series.substr(0, series.find(source_separator));
 }
 
 struct SolveRecord {
@@ -89,7 +89,7 @@ struct SolveRecord {
   std::map<std::string, double> extras = {};  // the solver's own numbers, by name; the store has a table for them
 };
 
-using TakeSolve = std::function<void(const SolveRecord&)>;
+using SolveVisitor = std::function<void(const SolveRecord&)>;
 
 // Calls visit(name, member, meaning) for every column, in the order of columns.inc.
 template <class Visit>

@@ -150,7 +150,7 @@ std::string checked_path(const fs::path& file, Store::Mode mode) {
   return path.string();
 }
 
-[[noreturn]] void refuse(const std::string& file, const Damage& damage) {
+[[noreturn]] void refuse(const std::string& file, const CorruptValue& damage) {
   throw std::invalid_argument(
       fmt::format("'{}' is damaged ({}); restore a copy, or run its studies into a new store", file, damage.what()));
 }
@@ -190,11 +190,11 @@ bool lacks_locks(const std::string& file) {
       [[fallthrough]];
     case SQLITE_CORRUPT:
     case SQLITE_ERROR:  // the SQL of ikbench is right, so the tables are wrong
-      refuse(file, Damage(error.what()));
+      refuse(file, CorruptValue(error.what()));
     case SQLITE_READONLY:
       if (error.getExtendedErrorCode() == SQLITE_READONLY_DBMOVED) refuse_taken_away(file);
       if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK)
-        throw HalfWritten(fmt::format(
+        throw InterruptedWrite(fmt::format(
             "'{}' is half-written, because ikbench was killed; keep '{}-journal' beside it and give the command that "
             "was killed again, which undoes the unfinished write and continues",
             file, file));
@@ -238,7 +238,7 @@ void execute(SQLite::Statement& statement, const Values&... values) {
 
 std::string name_of_extra(const SQLite::Column& column) {
   const std::string name = column.getString();
-  if (!base::is_plain(name)) throw Damage(fmt::format("{} as the name of an extra", base::in_quotes(name)));
+  if (!base::is_plain(name)) throw CorruptValue(fmt::format("{} as the name of an extra", base::in_quotes(name)));
   return name;
 }
 
@@ -250,7 +250,7 @@ auto guarded(const std::string& file, Action&& action) {
     return action();
   } catch (const SQLite::Exception& error) {
     refuse(file, error);
-  } catch (const Damage& damage) {
+  } catch (const CorruptValue& damage) {
     refuse(file, damage);
   }
 }
@@ -298,7 +298,7 @@ struct Store::Database {
 
   void check_file() {
     if (fs::file_size(name) == 0 && number("PRAGMA page_count") == 0)
-      throw HalfWritten(fmt::format(
+      throw InterruptedWrite(fmt::format(
           "'{}' is not an ikbench store yet: it is empty, because ikbench was killed when it began; give the command "
           "that was killed again, which goes on with it",
           name));
@@ -313,15 +313,15 @@ struct Store::Database {
     // SQLite reads missing bytes of the last page as zeros, so check the size. A kill while the log is folded in may
     // leave half a page, which is no damage if the log still has that page.
     const auto size = fs::file_size(name), page = static_cast<std::uintmax_t>(number("PRAGMA page_size"));
-    if (size % page != 0 && !log_has(size / page + 1, page)) throw Damage("it is truncated");
+    if (size % page != 0 && !log_has(size / page + 1, page)) throw CorruptValue("it is truncated");
     // A stranger's view may be endless, and a column may be computed.
-    if (schema_of(sqlite) != our_schema()) throw Damage("its tables and views are not those that ikbench makes");
+    if (schema_of(sqlite) != our_schema()) throw CorruptValue("its tables and views are not those that ikbench makes");
     std::string verdict = sqlite.execAndGet("PRAGMA quick_check(1)").getString();
     verdict.erase(0, verdict.rfind('\n') + 1);
     constexpr std::string_view unread = "unable to get the page. error code=";
     if (const auto at = verdict.find(unread); at != std::string::npos)
       throw SQLite::Exception(verdict, std::stoi(verdict.substr(at + unread.size())));
-    if (verdict != "ok") throw Damage(verdict);
+    if (verdict != "ok") throw CorruptValue(verdict);
   }
 
   // Returns true if the log has this page, counted from 1, because SQLite then reads the page from the log. The log is
@@ -377,7 +377,7 @@ struct Store::Database {
   }
 
   // Calls `take` with each solve of a query.
-  void read_solves(SQLite::Statement& query, const Take& take) {
+  void read_solves(SQLite::Statement& query, const RecordConsumer& take) {
     SolveRecord solve;  // one record for all solves, so that its lists keep their memory
     std::optional<SQLite::Statement> extras;
     if (sqlite.tableExists("extras"))
@@ -393,10 +393,10 @@ struct Store::Database {
                                                                     ? std::numeric_limits<double>::quiet_NaN()
                                                                     : extras->getColumn(1).getDouble();
         }
-      } catch (const Damage& error) {
-        throw Damage(fmt::format("{}; in the solve of run {}, point {} of series {}", error.what(),
-                                 query.getColumn("run").getString(), query.getColumn("point").getString(),
-                                 base::in_quotes(query.getColumn("series").getString())));
+      } catch (const CorruptValue& error) {
+        throw CorruptValue(fmt::format("{}; in the solve of run {}, point {} of series {}", error.what(),
+                                       query.getColumn("run").getString(), query.getColumn("point").getString(),
+                                       base::in_quotes(query.getColumn("series").getString())));
       }
       take(solve);
     }
@@ -441,15 +441,16 @@ std::vector<StoredStudy> Store::studies(const std::string& name) const {
     std::vector<StoredStudy> list;
     const auto object = [](SQLite::Column column) {
       if (!base::parsed_json(column.getString()).is_object())
-        throw Damage(fmt::format("{} {} is no JSON object", column.getName(), base::in_quotes(column.getString())));
+        throw CorruptValue(
+            fmt::format("{} {} is no JSON object", column.getName(), base::in_quotes(column.getString())));
       return column.getString();
     };
     for (query.bind(1, name); query.executeStep();) {
       StoredStudy study{.name = query.getColumn(0).getString(), .definition = {}, .series = {}};
       try {
-        study.definition = definition_of(object(query.getColumn(1)));
+        study.definition = parse_definition(object(query.getColumn(1)));
       } catch (const std::invalid_argument& error) {
-        throw Damage(error.what());
+        throw CorruptValue(error.what());
       }
       for (of_study.bind(1, study.name); of_study.executeStep();)
         study.series.push_back({.key = of_study.getColumn(0).getString(),
@@ -458,7 +459,7 @@ std::vector<StoredStudy> Store::studies(const std::string& name) const {
                                 .options = object(of_study.getColumn(3))});
       of_study.reset();
       if (study.series.size() > most_solvers)
-        throw Damage(fmt::format("study {} has more than {} solvers", base::in_quotes(study.name), most_solvers));
+        throw CorruptValue(fmt::format("study {} has more than {} solvers", base::in_quotes(study.name), most_solvers));
       list.push_back(std::move(study));
     }
     return list;
@@ -554,7 +555,7 @@ void Store::write_from(const fs::path& source, const std::function<void(SQLite::
     sqlite.exec("DETACH source");
   } catch (const SQLite::Exception& error) {
     const int code = error.getErrorCode();
-    if (code == SQLITE_CONSTRAINT) refuse(source.string(), Damage(error.what()));
+    if (code == SQLITE_CONSTRAINT) refuse(source.string(), CorruptValue(error.what()));
     const bool is_of_writing = code == SQLITE_FULL || code == SQLITE_READONLY || code == SQLITE_IOERR;
     refuse(is_of_writing ? database_->name : blamed, error);
   }
@@ -586,7 +587,7 @@ void Store::at_one_moment(const std::function<void()>& action) const {
   });
 }
 
-void Store::each_of_series(const std::string& key, const Take& take) const {
+void Store::each_of_series(const std::string& key, const RecordConsumer& take) const {
   guarded(database_->name, [&] {
     SQLite::Statement query(database_->sqlite,
                             fmt::format("SELECT {} FROM solves WHERE series = ? ORDER BY run, point", solve_columns()));
@@ -595,7 +596,7 @@ void Store::each_of_series(const std::string& key, const Take& take) const {
   });
 }
 
-std::vector<std::string> Store::names_of_extras(const StoredStudy& study) const {
+std::vector<std::string> Store::extra_names(const StoredStudy& study) const {
   return guarded(database_->name, [&] {
     std::vector<std::string> names;
     if (!database_->sqlite.tableExists("extras")) return names;
@@ -607,19 +608,19 @@ std::vector<std::string> Store::names_of_extras(const StoredStudy& study) const 
   });
 }
 
-std::int64_t Store::solves_of_other_sources(std::string_view series) const {
+std::int64_t Store::stale_solve_count(std::string_view series) const {
   return guarded(database_->name, [&] {
     SQLite::Statement query(database_->sqlite,
                             "SELECT count(*) FROM solves WHERE series >= ? AND series < ? AND series <> ?");
-    const std::string configuration(configuration_of(series));
-    SQLite::bind(query, configuration + before_source, configuration + static_cast<char>(before_source + 1),
+    const std::string configuration(configuration_part(series));
+    SQLite::bind(query, configuration + source_separator, configuration + static_cast<char>(source_separator + 1),
                  std::string(series));
     query.executeStep();
     return query.getColumn(0).getInt64();
   });
 }
 
-void Store::each_of_study(const StoredStudy& study, const Take& take) const {
+void Store::each_of_study(const StoredStudy& study, const RecordConsumer& take) const {
   guarded(database_->name, [&] {
     SQLite::Statement query(
         database_->sqlite,
@@ -629,7 +630,7 @@ void Store::each_of_study(const StoredStudy& study, const Take& take) const {
       SQLite::bind(query, series.key, study.definition.runs, study.definition.points);
       database_->read_solves(query, [&](SolveRecord& record) {
         if (record.label != series.label)
-          throw Damage(fmt::format("the label of {} is another in its solves", base::in_quotes(series.label)));
+          throw CorruptValue(fmt::format("the label of {} is another in its solves", base::in_quotes(series.label)));
         record.study = study.name;  // a solve has the name of the study that solved it first
         take(record);
       });
@@ -644,7 +645,7 @@ std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
   return list;
 }
 
-std::int64_t Store::number_of_solves(const StoredStudy& study) const {
+std::int64_t Store::solve_count(const StoredStudy& study) const {
   return guarded(database_->name, [&] {
     SQLite::Statement query(database_->sqlite,
                             "SELECT count(*) FROM solves WHERE series = ? AND run <= ? AND point <= ?");

@@ -37,7 +37,7 @@ struct Series {
 // A study as defined when it was last run.
 struct StoredStudy {
   std::string name;
-  Definition definition;
+  StudyDefinition definition;
   std::vector<Series> series;  // in the order of the study
 };
 
@@ -50,7 +50,7 @@ struct Session {
 
 // The error for a store that a kill left in the middle of a transaction or of its creation. Opening the store for
 // writing mends it.
-struct HalfWritten : std::invalid_argument {
+struct InterruptedWrite : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
@@ -101,19 +101,19 @@ class Store {
   // Lets `action` read the store as of one moment, whatever others write meanwhile.
   void at_one_moment(const std::function<void()>& action) const;
   // Receives a solve, and may move from the record or change it.
-  using Take = std::function<void(SolveRecord&)>;
+  using RecordConsumer = std::function<void(SolveRecord&)>;
   // Calls `take` with every solve of one series, ordered by run and point.
-  void each_of_series(const std::string& key, const Take& take) const;
-  std::vector<std::string> names_of_extras(const StoredStudy& study) const;  // of the study's solves, sorted
+  void each_of_series(const std::string& key, const RecordConsumer& take) const;
+  std::vector<std::string> extra_names(const StoredStudy& study) const;  // of the study's solves, sorted
   // Returns how many solves other sources made with the configuration of a series.
-  std::int64_t solves_of_other_sources(std::string_view series) const;
+  std::int64_t stale_solve_count(std::string_view series) const;
   // Calls `take` with each current solve of a study, in the order of its series, then run, then point. Current are the
   // solves of the study's series, without runs and points beyond those of the definition. `label` of each solve is the
   // one of its series.
-  void each_of_study(const StoredStudy& study, const Take& take) const;
+  void each_of_study(const StoredStudy& study, const RecordConsumer& take) const;
   // Returns all current solves at once: for a small study, or one that is not walked in this order.
   std::vector<SolveRecord> solves(const std::string& study) const;
-  std::int64_t number_of_solves(const StoredStudy& study) const;
+  std::int64_t solve_count(const StoredStudy& study) const;
 
  private:
   struct Database;

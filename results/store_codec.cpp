@@ -40,12 +40,12 @@ double json_number(std::string_view text) {
   if (text == json_infinity) return std::numeric_limits<double>::infinity();
   if (text == json_minus_infinity) return -std::numeric_limits<double>::infinity();
   if (const auto number = base::number_from(text)) return *number;
-  throw Damage(fmt::format("{} in a list of numbers", in_quotes(text)));
+  throw CorruptValue(fmt::format("{} in a list of numbers", in_quotes(text)));
 }
 
 void read_numbers(std::string_view array, std::vector<double>& numbers) {
   if (array.size() < 2 || array.front() != '[' || array.back() != ']')
-    throw Damage(fmt::format("{} is not a list of numbers", in_quotes(array)));
+    throw CorruptValue(fmt::format("{} is not a list of numbers", in_quotes(array)));
   numbers.clear();
   const char *at = array.data() + 1, *const end = array.data() + array.size() - 1;
   for (const char* next = at; at < end; at = next + 1) {
@@ -56,7 +56,7 @@ void read_numbers(std::string_view array, std::vector<double>& numbers) {
     next = std::find(at, end, ',');
     number = json_number({at, next});
   }
-  if (array.ends_with(",]")) throw Damage("an empty place in a list of numbers");
+  if (array.ends_with(",]")) throw CorruptValue("an empty place in a list of numbers");
 }
 
 // Returns the SQL type of a member of the record. SQLite has no NaN; NULL stands for it.
@@ -94,12 +94,12 @@ void read(const SQLite::Column& column, Value& value) {
     value = column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
   } else if constexpr (std::is_integral_v<Value>) {
     const std::int64_t number = column.getInt64();
-    if (!std::in_range<Value>(number)) throw Damage(fmt::to_string(number));
+    if (!std::in_range<Value>(number)) throw CorruptValue(fmt::to_string(number));
     value = static_cast<Value>(number);
   } else if constexpr (std::is_enum_v<Value>) {
     const auto& names = names_of(value);
     const auto found = std::find(names.begin(), names.end(), text_in(column));
-    if (found == names.end()) throw Damage(in_quotes(text_in(column)));
+    if (found == names.end()) throw CorruptValue(in_quotes(text_in(column)));
     value = static_cast<Value>(found - names.begin());
   } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
     read_numbers(text_in(column), value);
@@ -149,12 +149,12 @@ void read_solve(SQLite::Statement& row, SolveRecord& record) {
   for_each_column([&](std::string_view name, auto member, std::string_view) {
     try {
       read(row.getColumn(index++), record.*member);
-    } catch (const Damage& error) {
-      throw Damage(fmt::format("{}: {}", name, error.what()));
+    } catch (const CorruptValue& error) {
+      throw CorruptValue(fmt::format("{}: {}", name, error.what()));
     }
   });
   if (const std::string wrong = wrong_number(record); !wrong.empty())
-    throw Damage(fmt::format("{}, which no solve has", wrong));
+    throw CorruptValue(fmt::format("{}, which no solve has", wrong));
 }
 
 }  // namespace ikbench::results

@@ -15,7 +15,7 @@
 namespace ikbench::results {
 
 // The error for a value in the file that ikbench does not write. The message says what was found.
-struct Damage : std::runtime_error {
+struct CorruptValue : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 

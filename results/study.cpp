@@ -12,7 +12,7 @@ namespace ikbench::results {
 
 using namespace base;
 
-void list_fields(base::Fields& io, StudyData& study) {
+void list_fields(base::Fields& io, StudySpec& study) {
   io.text("name", study.name, "results go to out/<name>/; default: the name of the file", base::InKey::no);
   io.text("title", study.title, "", base::InKey::no);
   io.text("published", study.published, "compare the results with the printed tables of this paper; \"\": none",
@@ -70,7 +70,7 @@ void list_fields(base::Fields& io, StudyData& study) {
   io.whole("seed", study.seed, {0, base::no_limit}, "seed of all random numbers", base::InKey::in_text);
 }
 
-Definition definition_of(std::string_view json) {
+StudyDefinition parse_definition(std::string_view json) {
   const base::Json all = base::parsed_json(json);
   if (!all.is_object()) throw std::invalid_argument("the definition of a study is no JSON object");
   const toml::table table = base::toml_of(all);
@@ -80,7 +80,7 @@ Definition definition_of(std::string_view json) {
                    analysis = reader.part("analysis"), arm = reader.part("arm"), loop = reader.part("loop"),
                    check = reader.part("check");
   constexpr std::pair<std::int64_t, std::int64_t> counts{0, std::numeric_limits<int>::max()};
-  Definition study;
+  StudyDefinition study;
   study.json = json;
   list_fields(reader, study);
   list_fields(stop, study.stop);
@@ -91,7 +91,7 @@ Definition definition_of(std::string_view json) {
   list_fields(figures, study.figures);
   for (const auto& [label, node] : colours.table())
     colours.text(label.str(), study.figures.colours[std::string(label.str())]);
-  if (const auto mistake = mistake_in(study.figures))
+  if (const auto mistake = style_error(study.figures))
     throw std::invalid_argument(fmt::format("figures: {}; expected {}", mistake->first, mistake->second));
   std::string targets;
   path.text("kind", study.path);

@@ -19,10 +19,10 @@
 namespace ikbench::results {
 
 // The metrics that `then` of a plan may name, in any order. The headline goes on to the first of those that is judged.
-inline const std::vector<std::string> all_thens{"time", "evaluations", "motion"};
+inline const std::vector<std::string> default_tie_breakers{"time", "evaluations", "motion"};
 
 // The rules by which a study is judged, fixed before its data. They decide no number of a solve.
-struct Plan {
+struct AnalysisPlan {
   enum class Test { ranks, means } test = Test::ranks;
   enum class Values { runs, points } values = Values::runs;  // along a path: means over its points, or over the runs
   std::string metric = {};  // of the headline; empty: solved if any target is solved, otherwise the error
@@ -32,13 +32,13 @@ struct Plan {
   double margin = 0.05;  // smallest difference that matters: a ratio outside 1 / 1.05 to 1.05; for shares, points
   double deadline = 0;   // [s] per solve; what is solved within it is a metric; 0: the loop's period, if any
 
-  bool operator==(const Plan&) const = default;
+  bool operator==(const AnalysisPlan&) const = default;
 };
 
-constexpr std::pair<double, double> margins_percent{0, 99};
+constexpr std::pair<double, double> margin_percent_range{0, 99};
 
 // Lists the fields once for study files, the store's JSON and the command line: name, member, range and meaning.
-inline void list_fields(base::Fields& io, Plan& plan) {
+inline void list_fields(base::Fields& io, AnalysisPlan& plan) {
   constexpr double percent = 0.01;
   io.choice("test", plan.test, {"ranks", "means"}, "what decides: ranks, or means as papers compare them");
   io.choice(
@@ -56,17 +56,17 @@ inline void list_fields(base::Fields& io, Plan& plan) {
   io.text("control", plan.control, "label to compare the others with; \"\": compare every pair");
   io.number("significance", plan.significance, 1, {0.0001, 0.2},
             "significance level of the tests of all metrics that the plan names together");
-  io.number("margin_percent", plan.margin, percent, margins_percent,
+  io.number("margin_percent", plan.margin, percent, margin_percent_range,
             "smallest relative difference that matters (of shares in points); within it two solvers count as the same");
   io.number("deadline_ms", plan.deadline, 0.001, {0, 1e6},
             "tells what is solved within this time; 0: within loop.period_ms, if there is one");
 }
 
 // A control loop along a path, where each solve has a period. It decides no number of a solve.
-struct Loop {
+struct ControlLoop {
   double period = 0;  // [s]; 0: no loop
 };
-inline void list_fields(base::Fields& io, Loop& loop) {
+inline void list_fields(base::Fields& io, ControlLoop& loop) {
   io.number(
       "period_ms", loop.period, 0.001, {0, 1e6},
       "of a path with start = \"previous\": tells solves that take longer, and steps for which a joint is too slow; "
@@ -112,7 +112,7 @@ enum class WristBranch { nearest, positive, negative, inside };
 enum class WristTurns { principal, nearest };
 
 // The joint limits of candidates: as each solver's own option says, or the same for all solvers with that option.
-enum class StudyBounds { per_solver, initial, clamp };
+enum class BoundsPolicy { per_solver, initial, clamp };
 
 // The joint limits of answers.
 // recorded: an answer outside is kept and reported.
@@ -123,7 +123,7 @@ enum class Limits { recorded, enforced };
 // The whole turns by which revolute joints of an answer are turned afterwards. No pose changes.
 // into_limits: back inside the limits, where possible.
 // nearest: to the whole turn inside the limits that is nearest to the start, as controllers do.
-enum class Wrap { no, into_limits, nearest };
+enum class WrapPolicy { no, into_limits, nearest };
 
 // The start of each solve of a run: the previous answer, the initial configuration, the middle of the limits, a
 // configuration drawn from seed, run and point, or one near the configuration that the target was made of.
@@ -132,19 +132,19 @@ enum class Start { previous, initial, middle, random, near };
 // The state in which a timed call begins.
 // first: the first call on its target, after other solvers' work, as in a program that does other things.
 // hot: the second call on its target, with warm caches, as in a loop over many targets.
-enum class State { first, hot };
+enum class CacheState { first, hot };
 
 // The names as in files, in the order of the enumerators.
 constexpr std::array<std::string_view, 5> names_of(Search) { return {"wrist", "all_joints", "pose", "axis", "flange"}; }
-constexpr std::array<std::string_view, 3> names_of(StudyBounds) { return {"per_solver", "initial", "clamp"}; }
+constexpr std::array<std::string_view, 3> names_of(BoundsPolicy) { return {"per_solver", "initial", "clamp"}; }
 constexpr std::array<std::string_view, 2> names_of(Limits) { return {"recorded", "enforced"}; }
 constexpr std::array<std::string_view, 5> names_of(Start) {
   return {"previous", "initial", "middle", "random", "near"};
 }
-constexpr std::array<std::string_view, 2> names_of(State) { return {"first", "hot"}; }
+constexpr std::array<std::string_view, 2> names_of(CacheState) { return {"first", "hot"}; }
 
 // The settings of a study, as its file has them. docs/reference/study-file.md explains each.
-struct StudyData {
+struct StudySpec {
   std::string name = "study";
   std::string title;
   std::string published;              // paper whose printed tables are shown with the results, or empty
@@ -153,23 +153,23 @@ struct StudyData {
   // Weight of a radian in a pose error [m]. The error compares three points that are about as far apart as the parts of
   // a tool and of what it holds. With 0.1 m or 1 m, swarms find fewer poses of a UR5e.
   double rotation_weight = 0.25;
-  StudyBounds bounds = StudyBounds::per_solver;
+  BoundsPolicy bounds = BoundsPolicy::per_solver;
   WristBranch wrist_branch = WristBranch::nearest;
   WristTurns wrist_turns = WristTurns::principal;
   Limits limits = Limits::recorded;
-  Wrap wrap = Wrap::no;
+  WrapPolicy wrap = WrapPolicy::no;
   int motion_joints = 0;
   Start start = Start::previous;
   double near = 5 * base::degree;  // [rad] for Start::near: largest distance of a joint from the solution
   int population = 50;
   int runs = 20;
   int turns = 6;  // sessions; decides only times (experiments/runner.hpp)
-  State state = State::first;
+  CacheState state = CacheState::first;
   std::uint64_t seed = 1;
   numerics::StopRule stop;
-  Loop loop;
+  ControlLoop loop;
   Check check;
-  Plan plan;            // decides no number of a solve
+  AnalysisPlan plan;    // decides no number of a solve
   FigureStyle figures;  // colours of solver entries are in these entries of a study file
 
   // Returns true if each solve begins where the last one left the arm.
@@ -184,10 +184,10 @@ constexpr std::size_t most_solvers = 400;  // per study, because its report has 
 // Lists the fields once: name, member, range, meaning, and whether each decides a number of a solve. Readers and
 // writers of study files and of the store follow this list, and so does the key of a series. A new option of a study is
 // a member above and an entry there. `stop`, `plan` and `figures` have lists of their own.
-void list_fields(base::Fields& io, StudyData& study);
+void list_fields(base::Fields& io, StudySpec& study);
 
 // A study as the store keeps it, with what judging needs of its arm and targets.
-struct Definition : StudyData {
+struct StudyDefinition : StudySpec {
   int points = 0;
   std::string path;                     // kind of the target set
   bool draws_targets = false;           // draws new targets for every run
@@ -205,12 +205,12 @@ struct Definition : StudyData {
   double deadline() const { return plan.deadline > 0 ? plan.deadline : loop.period; }
   // Returns true if values are means of runs, otherwise of targets.
   bool compares_runs() const {
-    return is_chained() ? plan.values == Plan::Values::runs : points == 1 && !draws_targets;
+    return is_chained() ? plan.values == AnalysisPlan::Values::runs : points == 1 && !draws_targets;
   }
 };
 
 // Reads a definition. Members that the text lacks keep their defaults. Throws std::invalid_argument if the text is no
 // JSON object, or if a value is impossible; the message has the study's name and the member.
-Definition definition_of(std::string_view json);
+StudyDefinition parse_definition(std::string_view json);
 
 }  // namespace ikbench::results

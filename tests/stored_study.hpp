@@ -8,8 +8,8 @@ namespace ikbench::judge {
 
 // Records without a series are of the series with their solver's label. One store has all studies of a program, because
 // making one waits for the disk, and a session once, because each study reads them all.
-inline StudyResults stored_study(results::StoredStudy entry, std::vector<results::SolveRecord> solves,
-                                 const std::vector<results::Session>& sessions = {}) {
+inline StudyResults to_stored(results::StoredStudy entry, std::vector<results::SolveRecord> solves,
+                              const std::vector<results::Session>& sessions = {}) {
   static const ScratchFolder folder;
   static results::Store store(folder.path / "store.sqlite", results::Store::Mode::write);
   static int studies = 0;

@@ -401,7 +401,7 @@ Quantities values_in(Sheet& sheet, const Request& request) {
     if (i == 0 && !aggregates.empty())
       quantities.notes.push_back(
           fmt::format("Left out are rows that sum up others: {}.", base::front(base::names_of(aggregates), 300)));
-    if (i == 0 && layout.block && min_p_paired(items.units) > Plan().significance)
+    if (i == 0 && layout.block && min_p_paired(items.units) > AnalysisPlan().significance)
       note_blocks(sheet, layout, items, quantities.notes);
     settle(items, observed, quantities.notes);
     observed.better = better[i];
@@ -488,7 +488,7 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
   return request.are_summaries ? summaries_in(sheet, request) : values_in(sheet, request);
 }
 
-Plan with_margin(Plan plan, const std::string& margin, MetricSamples& observed) {
+AnalysisPlan with_margin(AnalysisPlan plan, const std::string& margin, MetricSamples& observed) {
   double least = 0, largest = 0;  // of all values
   for (const Group& group : observed.groups) {
     const auto* const summary = std::get_if<SummaryStatistics>(&group.sample);

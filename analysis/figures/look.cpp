@@ -74,7 +74,7 @@ std::map<std::string, int> line_styles(const std::vector<Series>& solvers, Figur
     for (const Series& solver : std::span(solvers).first(n)) {
       const auto is_of = [&](const auto& solvers_of) { return std::ranges::count(solvers_of, solver.algorithm) > 0; };
       const auto place = static_cast<std::size_t>(std::ranges::find_if(own_solvers, is_of) - own_solvers.begin());
-      if (own_colours < own_palette.size() || place == own_solvers.size()) continue;
+      if (own_colours < default_palette.size() || place == own_solvers.size()) continue;
       const auto has_it = [&](const auto& other) { return other.second % hues == place; };
       if (std::ranges::none_of(given, has_it)) give(solver, place, place + 1);
     }

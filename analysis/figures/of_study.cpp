@@ -28,7 +28,7 @@ constexpr std::string_view error = "position_error_cm", motion = "variation_deg"
 bool is_path(const StudyResults& study) { return !study.definition.draws_targets && study.definition.points > 1; }
 
 std::string observation_of(const StudyResults& study, const Metric& metric) {
-  const results::Definition& definition = study.definition;
+  const results::StudyDefinition& definition = study.definition;
   const std::string_view average = uses_medians(metric) ? "median" : "mean";
   if (definition.compares_runs()) return definition.points == 1 ? "a run" : fmt::format("the {} of a run", average);
   const bool is_solved_again = definition.runs > 1 && !definition.draws_targets;
@@ -108,7 +108,7 @@ std::optional<Figure> solved_by(const JudgedStudy& judged, std::string_view colu
 }
 
 std::pair<Average, std::string_view> average_that_decides(const StudyResults& study) {
-  const bool are_means = study.definition.plan.test == results::Plan::Test::means;
+  const bool are_means = study.definition.plan.test == results::AnalysisPlan::Test::means;
   return are_means ? std::pair(Average::mean, "mean") : std::pair(Average::median, "median");
 }
 
@@ -216,7 +216,7 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
                                   const std::function<void(Dot&)>& add_printed) {
   const JudgedMetric *const errors = find_metric(judged, error), *const motions = find_metric(judged, motion);
   if (errors == nullptr || motions == nullptr || motions->observations.is_of_solved) return std::nullopt;
-  const std::string average = motions->plan.test == results::Plan::Test::means ? "mean" : "median";
+  const std::string average = motions->plan.test == results::AnalysisPlan::Test::means ? "mean" : "median";
   const auto value = [](const JudgedMetric& metric, const std::string& solver) {
     return average_of(metric, place_of(metric.observations, solver));
   };
@@ -326,7 +326,7 @@ std::optional<Figure> ranks_of(const JudgedMetric& judged, const std::vector<std
   const JudgedMetric metric = on_common_blocks(judged);
   const MetricSamples& observed = metric.observations;
   const bool are_shares = observed.scale == EffectScale::share;
-  if (metric.plan.test == results::Plan::Test::means && !are_shares) return std::nullopt;
+  if (metric.plan.test == results::AnalysisPlan::Test::means && !are_shares) return std::nullopt;
   struct Pair {
     const Comparison* finding;
     double behind;  // the share of comparisons in which the second is better, equal ones half

@@ -29,7 +29,7 @@ void add_doubt(JudgedMetric& judged) {
 // one's median: at all). Where each has its own targets, these say nothing of two.
 void add_doubt_of_ranks(JudgedMetric& judged) {
   const MetricSamples& observed = judged.observations;
-  if (observed.is_of_solved || observed.fewest > 0 || judged.plan.test == Plan::Test::means) return;
+  if (observed.is_of_solved || observed.fewest > 0 || judged.plan.test == AnalysisPlan::Test::means) return;
   const std::set<std::string> losers = beaten_solvers(judged.findings);
   for (const Comparison& finding : judged.findings) {
     if (!std::holds_alternative<TestResult>(finding.what) || !is_difference(verdict_of(finding))) continue;
@@ -54,7 +54,7 @@ std::vector<Comparison> findings_of(const JudgedMetric& metric, const Beside& be
   if (beside.labels.empty()) return compare(metric.observations, metric.plan, metrics);
   MetricSamples own = metric.observations;
   std::erase_if(own.groups, [&](const Group& group) { return beside.has(group.name); });
-  Plan own_plan = metric.plan;
+  AnalysisPlan own_plan = metric.plan;
   if (beside.is_control_chosen) own_plan.control.clear();
   std::vector<Comparison> findings = compare(own, own_plan, metrics);
   std::erase_if(findings, [&](const Comparison& finding) {
@@ -68,7 +68,7 @@ std::vector<Comparison> findings_of(const JudgedMetric& metric, const Beside& be
 }
 
 // Where time alone ends solves at the deadline, what is solved is solved in time: two columns would be one.
-bool is_solved_by_another_name(const Metric& metric, const results::Definition& study) {
+bool is_solved_by_another_name(const Metric& metric, const results::StudyDefinition& study) {
   const bool is_solved_in_time = metric.measures == QuantityKind::time && metric.kind == Kind::share;
   return is_solved_in_time && study.has_tolerance() && study.stop.only_time_limits() &&
          study.stop.seconds <= study.deadline();
@@ -99,12 +99,12 @@ bool has_meaning(const MetricSamples& observed) {
 
 }  // namespace
 
-JudgedMetric judge(MetricSamples observations, const Plan& plan) {
+JudgedMetric judge(MetricSamples observations, const AnalysisPlan& plan) {
   std::vector<Comparison> findings = compare(observations, plan);
   return judge(std::move(observations), plan, std::move(findings));
 }
 
-JudgedMetric judge(MetricSamples observations, const Plan& plan, std::vector<Comparison> findings) {
+JudgedMetric judge(MetricSamples observations, const AnalysisPlan& plan, std::vector<Comparison> findings) {
   JudgedMetric judged{.observations = std::move(observations), .plan = plan, .findings = std::move(findings)};
   const MetricSamples& observed = judged.observations;
   for (const Group& group : observed.groups) {
@@ -120,8 +120,8 @@ JudgedMetric judge(MetricSamples observations, const Plan& plan, std::vector<Com
 
 double average_of(const JudgedMetric& judged, std::size_t group) {
   const Descriptives& its = judged.described[group];
-  const bool is_mean = judged.observations.scale == EffectScale::share || judged.plan.test == Plan::Test::means ||
-                       std::isnan(its.median);
+  const bool is_mean = judged.observations.scale == EffectScale::share ||
+                       judged.plan.test == AnalysisPlan::Test::means || std::isnan(its.median);
   if (missing_in(judged.observations.groups[group]) > 0) return unknown;
   return is_mean ? its.mean : its.median;
 }
@@ -154,7 +154,7 @@ std::vector<std::size_t> display_order(const JudgedMetric& judged, const std::ve
 }
 
 JudgedStudy make_all_samples(StudyResults study) {
-  const results::Definition& definition = study.definition;
+  const results::StudyDefinition& definition = study.definition;
   const auto solved = std::ranges::count(study.solves, results::Status::ok, &Solve::status);
   const bool are_any_solved = definition.has_tolerance() && solved > 0;
   const std::vector<Metric> all = metrics_of(definition);
@@ -192,14 +192,14 @@ JudgedStudy judge(StudyResults study) {
   return judged;
 }
 
-std::vector<std::string> names_in_plan(const results::Definition& study) {
-  const Plan& plan = study.plan;
+std::vector<std::string> names_in_plan(const results::StudyDefinition& study) {
+  const AnalysisPlan& plan = study.plan;
   std::string first = plan.metric;
   if (first.empty()) first = study.has_tolerance() ? "solved" : "error";
   std::vector<std::string> names{first};
   std::string_view its_word;
   if (!plan.metric.empty()) its_word = then_word_of(empty_samples(metric_named(plan.metric, metrics_of(study))));
-  for (const std::string& word : results::all_thens)
+  for (const std::string& word : results::default_tie_breakers)
     if (word != its_word && std::ranges::count(plan.then, word) > 0) names.push_back(word);
   return names;
 }

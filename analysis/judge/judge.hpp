@@ -13,15 +13,15 @@ namespace ikbench::judge {
 
 struct JudgedMetric {
   MetricSamples observations;
-  Plan plan;                            // by which it was judged
+  AnalysisPlan plan;                    // by which it was judged
   std::vector<Descriptives> described;  // one for each group
   std::vector<Comparison> findings;     // one for each pair of the plan
 };
 
 // Describes the groups and adds the doubts of the findings, which are those of `compare`.
-JudgedMetric judge(MetricSamples observed, const Plan& plan, std::vector<Comparison> findings);
+JudgedMetric judge(MetricSamples observed, const AnalysisPlan& plan, std::vector<Comparison> findings);
 // The same, with findings of these observations alone.
-JudgedMetric judge(MetricSamples observed, const Plan& plan);
+JudgedMetric judge(MetricSamples observed, const AnalysisPlan& plan);
 
 // What tables, sentences and figures tell of a group: the mean of shares and where the plan compares means, else the
 // median; NaN where values are lost.
@@ -47,7 +47,7 @@ JudgedStudy judge(StudyResults study);
 
 // The names of the metrics that share the significance: the plan's `metric` (else "solved", or "error" without a
 // tolerance), and each word of `then` for another one.
-std::vector<std::string> names_in_plan(const results::Definition& study);
+std::vector<std::string> names_in_plan(const results::StudyDefinition& study);
 // By which of these names the plan names a metric of this study; empty: by none.
 std::string name_in_plan(const JudgedStudy& study, const JudgedMetric& metric);
 

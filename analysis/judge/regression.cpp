@@ -18,7 +18,7 @@ using namespace results;
 constexpr const char *now_label = "now", *before_label = "before";
 
 void refuse_other_task(const StudyResults& one, const StudyResults& other) {
-  const Definition &a = one.definition, &b = other.definition;
+  const StudyDefinition &a = one.definition, &b = other.definition;
   const std::pair<bool, const char*> differences[]{
       {a.robot != b.robot || a.arm != b.arm, "arms"},
       {a.path != b.path || a.points != b.points, "targets"},
@@ -103,7 +103,7 @@ bool decides(const RegressionCheck& gate, const JudgedMetric& metric) {
   return gate.options.metrics.empty() || std::ranges::count(gate.options.metrics, name) > 0;
 }
 
-void refuse_what_the_plan_lacks(const GateOptions& options, const Definition& definition) {
+void refuse_what_the_plan_lacks(const GateOptions& options, const StudyDefinition& definition) {
   const std::vector<std::string> named = names_in_plan(definition);
   const std::vector<std::string>& asked = options.metrics.empty() ? named : options.metrics;
   for (const std::string& name : asked)

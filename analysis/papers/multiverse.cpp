@@ -33,7 +33,7 @@ bool hangs_on_reading(const Claim& claim) {
 }
 
 // None if a solver of the claim is missing.
-InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, const results::Plan& plan) {
+InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, const results::AnalysisPlan& plan) {
   const Names& solvers = multiverse.solvers;
   const std::size_t k = solvers.size(), metric = claim.metrics.front()->column == metrics_of_readings[0] ? 0 : 1;
   std::vector<std::size_t> own, rivals;
@@ -42,9 +42,9 @@ InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, c
     if (!contains(claim.solvers, solver)) rivals.push_back(place_of(solvers, solver));
   if (contains(own, k) || contains(rivals, k)) return {};
   // Of each pair alone, by Welch's t, at its part of the significance, as a report judges a pair of these solvers.
-  const Plan of_pair{.test = Plan::Test::means,
-                     .significance = plan.significance / (static_cast<double>(k * (k - 1)) / 2),
-                     .margin = plan.margin};
+  const AnalysisPlan of_pair{.test = AnalysisPlan::Test::means,
+                             .significance = plan.significance / (static_cast<double>(k * (k - 1)) / 2),
+                             .margin = plan.margin};
   std::map<std::pair<std::size_t, std::size_t>, Verdict> known;  // many readings share a pair
   const auto verdict = [&](std::size_t one, std::size_t other) {
     const auto [place, is_new] = known.try_emplace({one, other});
@@ -86,7 +86,7 @@ Group group_of(std::vector<double> runs) {
   return {.sample = Measured{std::move(runs)}};
 }
 
-JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, const results::Plan& plan) {
+JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, const results::AnalysisPlan& plan) {
   JudgedMultiverse result{.in_readings = {},
                           .table = {.name = "multiverse",
                                     .caption = "The claims in every reading",

@@ -43,6 +43,6 @@ struct SeedCounts {
 SeedCounts counts_by_seed(const Paper& paper, const SolvedMultiverse& multiverse);
 std::string span_of(const std::vector<int>& counts);  // "41 to 47"
 
-JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, const results::Plan& plan);
+JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, const results::AnalysisPlan& plan);
 
 }  // namespace ikbench::papers

@@ -185,7 +185,7 @@ class First {
   }
   std::string within() const { return is_solved(judged_) ? answer_.within : ""; }
   std::string quantity() const {
-    const bool is_mean = judged_.plan.test == results::Plan::Test::means;
+    const bool is_mean = judged_.plan.test == results::AnalysisPlan::Test::means;
     const char* const of = is_share(judged_) || judged_.observations.is_log_scale ? "" : is_mean ? "mean " : "median ";
     return of + judged_.observations.quantity;
   }

@@ -159,7 +159,7 @@ const std::string& title_of(const StudyResults& study) {
 }
 
 std::string what_is_solved(const StudyResults& study) {
-  const results::Definition& definition = study.definition;
+  const results::StudyDefinition& definition = study.definition;
   const bool is_one_each = definition.draws_targets && definition.points == 1;
   return fmt::format("{}, {}{} ({})", std::filesystem::path(definition.robot).stem().string(),
                      is_one_each ? "" : base::counted(definition.runs, "runs") + " of ",

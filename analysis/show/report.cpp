@@ -93,7 +93,7 @@ Report make_report(JudgedStudy judged, std::vector<figures::Figure> figures) {
 std::vector<Table> setup_tables(const Report& report) {
   const StudyResults& study = report.study;
   const JudgedMetric& decisive = report.answer.decisive();
-  const results::Definition& definition = study.definition;
+  const results::StudyDefinition& definition = study.definition;
   const std::vector<Column> columns{{"what"}, {"value"}};
   Table of_study{.caption = "Study", .columns = columns}, machine{.caption = "Machine", .columns = columns};
   const auto add = [](Table& table, std::string what, std::string value) {
@@ -178,7 +178,8 @@ std::vector<Blocks> report_sections(const Report& report) {
       return std::get<std::string>(row[0]) == report.answer.decisive().observations.quantity;
     };
     all.told = static_cast<std::size_t>(std::ranges::count_if(all.rows, is_first));
-    if (report.answer.decisive().plan.test == results::Plan::Test::means) add("All solvers at once", {std::move(all)});
+    if (report.answer.decisive().plan.test == results::AnalysisPlan::Test::means)
+      add("All solvers at once", {std::move(all)});
   }
   doubts.insert(doubts.end(), report.warnings.begin(), report.warnings.end());
   add("Warnings", {doubts.begin(), doubts.end()});

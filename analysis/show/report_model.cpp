@@ -189,7 +189,7 @@ Answer answer_of(const JudgedStudy& judged) {
   all.more = {{"Control loop", loop_table(judged.study, all.solvers())},
               {"Beside another machine", beside_table(judged.study, all.solvers())},
               {"In batches", batches_table(judged.study)}};
-  const results::Definition& definition = judged.study.definition;
+  const results::StudyDefinition& definition = judged.study.definition;
   const bool are_runs = definition.compares_runs();
   all.noun = are_runs ? "runs" : "targets";
   if (definition.stop.only_time_limits())

@@ -64,7 +64,7 @@ bool are_ratios(const JudgedMetric& judged, const std::string& reference) {
   return judged.observations.is_of_solved && std::ranges::any_of(judged.findings, is_known);
 }
 
-bool are_means(const Answer& answer) { return answer.decisive().plan.test == results::Plan::Test::means; }
+bool are_means(const Answer& answer) { return answer.decisive().plan.test == results::AnalysisPlan::Test::means; }
 
 std::string average_shown(const Answer& answer) { return are_means(answer) ? "mean" : "median"; }
 

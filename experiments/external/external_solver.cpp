@@ -22,7 +22,7 @@ namespace {
 
 constexpr int most_failures_in_a_row = 3;
 
-Status status_of(Trouble::Kind kind) {
+Status status_of(ProcessFailure::Kind kind) {
   constexpr Status as_kinds[]{Status::crashed, Status::timed_out, Status::broke_protocol, Status::declined};
   return as_kinds[static_cast<std::size_t>(kind)];
 }
@@ -40,7 +40,7 @@ std::unique_ptr<ChildProcess> restarted(const Program& program) {
 }
 
 // Records the course of the best error as solvers::solve does.
-void add_best(Account& account, std::int64_t evaluations, double best, double at_start) {
+void add_best(ProcessReport& account, std::int64_t evaluations, double best, double at_start) {
   Improvements& improved = account.improved;
   if (improved.at.empty()) {
     if (evaluations == 1) at_start = best;
@@ -63,41 +63,41 @@ double told_seconds(const Message& message, double passed) {
 
 }  // namespace
 
-double own_seconds(const Account& account, double wall) {
+double credible_seconds(const ProcessReport& account, double wall) {
   const double told = account.claimed_seconds;
-  return std::isnan(told) ? wall : std::max(told, least_told(account.cpu_seconds));
+  return std::isnan(told) ? wall : std::max(told, min_credible_seconds(account.cpu_seconds));
 }
 
-Conversation Conversations::take() {
+WorkerProcess ProcessPool::take() {
   const std::scoped_lock lock(mutex_);
   if (idle_.empty()) return {};
-  Conversation conversation = std::move(idle_.back());
+  WorkerProcess conversation = std::move(idle_.back());
   idle_.pop_back();
   return conversation;
 }
 
-void Conversations::give_back(Conversation conversation) {
+void ProcessPool::give_back(WorkerProcess conversation) {
   const std::scoped_lock lock(mutex_);
   idle_.push_back(std::move(conversation));
 }
 
-std::string Conversations::last_failure() const {
+std::string ProcessPool::last_failure() const {
   const std::scoped_lock lock(mutex_);
   const auto has_failed = std::ranges::find_if(idle_, [](auto& its) { return !its.last_failure.empty(); });
   return has_failed == idle_.end() ? "" : has_failed->last_failure;
 }
 
-void Conversations::end_processes() {
+void ProcessPool::end_processes() {
   const std::scoped_lock lock(mutex_);
-  for (Conversation& idle : idle_) idle.child.reset();
+  for (WorkerProcess& idle : idle_) idle.child.reset();
 }
 
 template <class Talk>
-void ForeignSolver::guarded(Talk&& talk) {
+void ExternalSolver::guarded(Talk&& talk) {
   if (account_.failure) return;
   try {
     talk();
-  } catch (const Trouble& trouble) {
+  } catch (const ProcessFailure& trouble) {
     note(trouble);
     account_ = {.failure = status_of(trouble.kind), .together = account_.together, .seconds = account_.seconds};
     best_.error = std::numeric_limits<double>::infinity();
@@ -105,26 +105,26 @@ void ForeignSolver::guarded(Talk&& talk) {
 }
 
 // Throws std::runtime_error if the program is not what it was.
-bool ForeignSolver::ensure_running() {
-  if (own_.child && !own_.child->is_running()) note({Trouble::Kind::crashed, "it ended between two solves"});
-  if (own_.refusal) throw Trouble(*own_.refusal);
+bool ExternalSolver::ensure_running() {
+  if (own_.child && !own_.child->is_running()) note({ProcessFailure::Kind::crashed, "it ended between two solves"});
+  if (own_.refusal) throw ProcessFailure(*own_.refusal);
   if (own_.child) return false;
   own_.child = restarted(*all_.program);
-  own_.child->write(all_.robot, after(start_patience));
+  own_.child->write(all_.robot, after(start_timeout));
   return true;
 }
 
 // Keeps the trouble and ends the process, unless it only declined, or answered one problem of a batch wrongly.
-void ForeignSolver::note(const Trouble& trouble) {
+void ExternalSolver::note(const ProcessFailure& trouble) {
   if (own_.refusal) return;
   failure_ = trouble;
-  if (trouble.kind == Trouble::Kind::declined || own_.is_answered() || !own_.child) return;
+  if (trouble.kind == ProcessFailure::Kind::declined || own_.has_answers() || !own_.child) return;
   failure_->why += own_.child->end_after(trouble.kind);
   own_.child.reset();
 }
 
-void ForeignSolver::count_failure() {
-  const bool counts = failure_ && failure_->kind != Trouble::Kind::declined && !own_.is_answered();
+void ExternalSolver::count_failure() {
+  const bool counts = failure_ && failure_->kind != ProcessFailure::Kind::declined && !own_.has_answers();
   if (counts && ++own_.failures_in_a_row == most_failures_in_a_row) {
     failure_->why += "; it is given up after three failures in a row";
     own_.refusal = failure_;
@@ -133,14 +133,14 @@ void ForeignSolver::count_failure() {
   if (!account_.failure) own_.failures_in_a_row = 0;
 }
 
-Clock::time_point ForeignSolver::deadline(double problems) const {
+Clock::time_point ExternalSolver::deadline(double problems) const {
   const double patience = all_.program->choice.patience;
   return after(patience > 0 ? patience : stop_.seconds == 0 ? 60 : std::clamp(20 * stop_.seconds * problems, 5.0, 1e6));
 }
 
-void ForeignSolver::forget_batch() { own_.answers.clear(), own_.batch.clear(); }
+void ExternalSolver::clear_batch() { own_.answers.clear(), own_.batch.clear(); }
 
-bool ForeignSolver::ask() {
+bool ExternalSolver::ask() {
   account_ = {};
   failure_.reset();
   const auto size = static_cast<double>(own_.batch.size());
@@ -155,8 +155,8 @@ bool ForeignSolver::ask() {
         exchange(*own_.child, R"({"message":"solve_batch","problems":[)" + problems + "]}\n", deadline(size));
     const double told = told_seconds(message, seconds_since(began)), cpu = own_.child->cpu_seconds() - cpu_before;
     account_.cpu_seconds = std::max(0.0, cpu) / size;
-    if (told >= least_told(cpu)) account_.claimed_seconds = told / size;
-    if (message.name() == "declined") throw Trouble{Trouble::Kind::declined, message.why()};
+    if (told >= min_credible_seconds(cpu)) account_.claimed_seconds = told / size;
+    if (message.name() == "declined") throw ProcessFailure{ProcessFailure::Kind::declined, message.why()};
     if (message.name() != "solved_batch") message.fail("\"solved_batch\" or \"declined\"");
     own_.answers = message.answers(own_.batch);
   });
@@ -166,7 +166,7 @@ bool ForeignSolver::ask() {
   return !account_.failure;
 }
 
-void ForeignSolver::prepare(const Problem& problem, const Objective& objective) {
+void ExternalSolver::prepare(const Problem& problem, const Objective& objective) {
   account_ = {};
   failure_.reset();
   if (all_.program->choice.batch > 0) return;
@@ -174,22 +174,22 @@ void ForeignSolver::prepare(const Problem& problem, const Objective& objective) 
     const bool is_new = ensure_running();
     try {
       if (is_new && own_.failures_in_a_row == 0)
-        solve_unrecorded([&](std::uint32_t seed) {
+        warm_up_calls([&](std::uint32_t seed) {
           Objective uncounted(objective.arm(), objective.goal());
           converse(problem, uncounted, seed);
         });
-    } catch (const Trouble& trouble) {  // which no target has: a new process solves it
-      if (trouble.kind != Trouble::Kind::declined) own_.child.reset();
+    } catch (const ProcessFailure& trouble) {  // which no target has: a new process solves it
+      if (trouble.kind != ProcessFailure::Kind::declined) own_.child.reset();
       ensure_running();
     }
     if (!is_new && !own_.child->has_line()) return;
     // Who answers twice after a pause would stay behind, each answer that of the solve before.
-    const Trouble heard = unasked(*own_.child, is_new ? 0.1 : 0);
-    if (heard.kind != Trouble::Kind::timed_out) throw Trouble(heard);
+    const ProcessFailure heard = unasked(*own_.child, is_new ? 0.1 : 0);
+    if (heard.kind != ProcessFailure::Kind::timed_out) throw ProcessFailure(heard);
   });
 }
 
-void ForeignSolver::start(const Problem& problem, Objective& objective, Random& random) {
+void ExternalSolver::start(const Problem& problem, Objective& objective, Random& random) {
   take(problem);
   guarded([&] {
     constexpr double seeds = 4294967296;  // 2^32: larger seeds do not survive every language's numbers
@@ -199,7 +199,7 @@ void ForeignSolver::start(const Problem& problem, Objective& objective, Random& 
 
 // Of several answers that which is inside the limits and nearest to the start, else the first; notes how many there
 // are, and how many of them are right.
-Configuration ForeignSolver::nearest(const Candidates& answers, const Problem& problem, Objective& objective) const {
+Configuration ExternalSolver::nearest(const Candidates& answers, const Problem& problem, Objective& objective) const {
   Configuration best = answers.col(0);
   double least = std::numeric_limits<double>::infinity();
   int right = 0;
@@ -215,8 +215,8 @@ Configuration ForeignSolver::nearest(const Candidates& answers, const Problem& p
   return best;
 }
 
-void ForeignSolver::take_answer(const Message& message, const Problem& problem, Objective& objective,
-                                const Configuration& evaluated) {
+void ExternalSolver::take_answer(const Message& message, const Problem& problem, Objective& objective,
+                                 const Configuration& evaluated) {
   for (const auto& [name, value] : message.extras()) {
     if (own_.extras.size() < most_extras) own_.extras.insert(name);
     if (!own_.extras.contains(name)) message.fail(fmt::format("at most {} names of \"extras\" in all", most_extras));
@@ -229,7 +229,7 @@ void ForeignSolver::take_answer(const Message& message, const Problem& problem, 
   account_.claimed_error = message.number("error");
 }
 
-void ForeignSolver::converse(const Problem& problem, Objective& objective, std::uint32_t seed) {
+void ExternalSolver::converse(const Problem& problem, Objective& objective, std::uint32_t seed) {
   account_ = {};
   const std::string question = solve_message(problem, objective.goal(), stop_, seed);
   const bool is_of_batch = all_.program->choice.batch > 0;
@@ -271,7 +271,7 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
   const double passed = seconds_since(began);
   if (!is_of_batch)
     account_.cpu_seconds = std::max(0.0, own_.child->cpu_seconds() - cpu_before);  // 0: it ended at once
-  if (message.name() == "declined") throw Trouble{Trouble::Kind::declined, message.why()};
+  if (message.name() == "declined") throw ProcessFailure{ProcessFailure::Kind::declined, message.why()};
   if (message.name() != "solved") message.fail("\"evaluate\", \"solved\" or \"declined\"");
   if (message.has("seed") && message.number("seed") != seed)
     message.fail(fmt::format("\"seed\" {}, as this answers another solve", seed));
@@ -286,7 +286,7 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
   count(ours, message.count("evaluations"), !is_too_good && std::ranges::count(seen, best_.error) > 0, best.error);
 }
 
-void ForeignSolver::count(std::int64_t ours, std::int64_t own, bool is_explained, double best) {
+void ExternalSolver::count(std::int64_t ours, std::int64_t own, bool is_explained, double best) {
   if (is_explained && own <= ours) {
     account_.counted_by = CountedBy::suite;
     account_.evaluations = ours;
@@ -304,9 +304,9 @@ void check_answer(const Study& study, const Robot& arm, std::unique_ptr<ChildPro
   const bool is_new = child == nullptr;
   if (is_new) {
     child = restarted(program);
-    child->write(robot_message(arm, arm.chain, Task(study, arm).goal(Pose::Identity()), own_urdf(program, study.robot),
-                               program.hello, options_of(program.hello, {})),
-                 after(start_patience));
+    child->write(robot_message(arm, arm.chain, Task(study, arm).goal(Pose::Identity()),
+                               urdf_text_for(program, study.robot), program.hello, resolved_options(program.hello, {})),
+                 after(start_timeout));
   }
   const base::OrderedJson target{{"position", solve.target_position_m}, {"rotation", solve.target_rotation}},
       question{{"message", "check"}, {"target", target}, {"start", solve.start_rad}, {"q", solve.answer_rad}};
@@ -323,8 +323,8 @@ void check_answer(const Study& study, const Robot& arm, std::unique_ptr<ChildPro
     said.fail(
         fmt::format("only \"numbers\" that [check] names as larger or smaller, and not {}", numbers.begin()->first));
   // Who answers twice would stay behind, each answer that of the solve before.
-  const Trouble heard = unasked(*child, is_new ? 0.1 : 0);
-  if (heard.kind != Trouble::Kind::timed_out) throw Trouble(heard);
+  const ProcessFailure heard = unasked(*child, is_new ? 0.1 : 0);
+  if (heard.kind != ProcessFailure::Kind::timed_out) throw ProcessFailure(heard);
   if (fault.empty()) return;
   solve.status = Status::invalid;
   solve.extras[fmt::format("{}{}", invalid_extra, fault)] = 1;

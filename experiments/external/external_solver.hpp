@@ -20,7 +20,7 @@
 namespace ikbench::experiments {
 
 // The report on one solve by a program, besides its answer.
-struct Account {
+struct ProcessReport {
   std::optional<results::Status> failure;
   double cpu_seconds = 0;  // of the program
   solvers::StopReason stopped = solvers::StopReason::finished;
@@ -39,38 +39,38 @@ struct Account {
 
 // Returns the time [s] that a program took: its self-reported one, or its processor time if that leaves no room for the
 // report; `wall` if it reports nothing.
-double own_seconds(const Account& account, double wall);
+double credible_seconds(const ProcessReport& account, double wall);
 
 // A running process of a program, and what is kept of it from solve to solve.
-struct Conversation {
+struct WorkerProcess {
   std::unique_ptr<ChildProcess> child = {};  // null until it is needed, and after a failure
   int failures_in_a_row = 0;
-  std::string last_failure = {};        // "crashed: it ended (exit code 3); its last words: ..."; empty: none so far
-  std::set<std::string> extras = {};    // names
-  std::optional<Trouble> refusal = {};  // set if the program is given up
+  std::string last_failure = {};      // "crashed: it ended (exit code 3); its last words: ..."; empty: none so far
+  std::set<std::string> extras = {};  // names
+  std::optional<ProcessFailure> refusal = {};  // set if the program is given up
   // A batch: its problems, as their messages; the answer to each, nothing if it failed; and the report that they share.
   std::vector<std::string> batch = {};
   std::map<std::string, std::optional<Message>> answers = {};
-  Account each = {};
-  bool is_answered() const { return !answers.empty() && answers.begin()->second; }
+  ProcessReport each = {};
+  bool has_answers() const { return !answers.empty() && answers.begin()->second; }
 };
 
 // Makes a few unrecorded solves: solve(0), solve(1), solve(2), or fewer if they take long.
 template <class Solve>
-void solve_unrecorded(Solve&& solve) {
+void warm_up_calls(Solve&& solve) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(100);
   for (std::uint32_t i = 0; i < 3 && std::chrono::steady_clock::now() < end; ++i) solve(i);
 }
 
 // The idle processes of a program. Any thread may take one and give it back.
-class Conversations {
+class ProcessPool {
  public:
   // `robot` is the first message to each process.
-  Conversations(std::shared_ptr<const Program> its_program, std::string its_robot)
+  ProcessPool(std::shared_ptr<const Program> its_program, std::string its_robot)
       : program(std::move(its_program)), robot(std::move(its_robot)) {}
 
-  Conversation take();
-  void give_back(Conversation conversation);
+  WorkerProcess take();
+  void give_back(WorkerProcess conversation);
   std::string last_failure() const;  // the last failure of an idle process
   void end_processes();              // ends idle processes; a program that is given up stays so
 
@@ -79,27 +79,27 @@ class Conversations {
 
  private:
   mutable std::mutex mutex_;
-  std::vector<Conversation> idle_;
+  std::vector<WorkerProcess> idle_;
 };
 
 // A program as a solver, which solvers::solve drives like any other; `start` is the whole exchange of messages. If the
 // program fails, the error is infinite.
-class ForeignSolver final : public solvers::Searcher {
+class ExternalSolver final : public solvers::Searcher {
  public:
-  ForeignSolver(Conversations& all, const solvers::StopRule& stop)  // both outlive it
+  ExternalSolver(ProcessPool& all, const solvers::StopRule& stop)  // both outlive it
       : all_(all), stop_(stop), own_(all.take()) {}
-  ~ForeignSolver() override { all_.give_back(std::move(own_)); }
+  ~ExternalSolver() override { all_.give_back(std::move(own_)); }
 
   // Sends the next batch in one message, always again; returns false if it failed. With a batch, `start` gives the
   // answer that came for the problem. If none was asked for, `start` puts the problem into the next batch.
   bool ask();
-  void forget_batch();
+  void clear_batch();
   // Starts the process if there is none, and warms it up; does nothing with batches. Call it before the clock starts.
   void prepare(const solvers::Problem& problem, const solvers::Objective& objective);
   void start(const solvers::Problem& problem, solvers::Objective& objective, numerics::Random& random) override;
   void step(solvers::Objective&, numerics::Random&) override {}
   bool finished() const override { return true; }
-  const Account& account() const { return account_; }
+  const ProcessReport& account() const { return account_; }
   bool is_given_up() const { return own_.refusal.has_value(); }
   // Counts a failure. Call it after a solve that counts: its failure becomes the last one of all, and the third in a
   // row gives the program up.
@@ -109,7 +109,7 @@ class ForeignSolver final : public solvers::Searcher {
   template <class Talk>
   void guarded(Talk&& talk);  // a Trouble becomes the account's failure
   bool ensure_running();      // true if the process is new
-  void note(const Trouble& trouble);
+  void note(const ProcessFailure& trouble);
   Clock::time_point deadline(double problems) const;
   robots::Configuration nearest(const robots::Candidates& answers, const solvers::Problem& problem,
                                 solvers::Objective& objective) const;
@@ -120,11 +120,11 @@ class ForeignSolver final : public solvers::Searcher {
   // Takes our count of evaluations if these explain the answer, otherwise the program's own, if it has one.
   void count(std::int64_t ours, std::int64_t own, bool is_explained, double best);
 
-  Conversations& all_;
+  ProcessPool& all_;
   const solvers::StopRule& stop_;
-  Conversation own_;
-  Account account_;
-  std::optional<Trouble> failure_;  // last failure of this solve, with how the process ended
+  WorkerProcess own_;
+  ProcessReport account_;
+  std::optional<ProcessFailure> failure_;  // last failure of this solve, with how the process ended
 };
 
 // Asks the study's checker about an answer that reached its target, and starts a process of it if there is none. If the

@@ -41,20 +41,20 @@ fs::path executable(const std::string& word, const fs::path& folder) {
 }
 
 // Returns the digest of the name, the version, the executable, every argument that is a file, and the study's `files`.
-std::string digest_of(const ProgramChoice& choice, const fs::path& folder, const Hello& hello) {
+std::string digest_of(const ProgramSpec& choice, const fs::path& folder, const Hello& hello) {
   std::string text = hello.name + '\n' + hello.version + '\n';
   for (std::size_t i = 0; i < choice.process.size(); ++i)
     if (const fs::path file = i > 0 ? folder / choice.process[i] : executable(choice.process[0], folder); is_file(file))
-      text += digest_of_file(file);
-  for (const std::string& name : choice.files) text += name + '\n' + digest_of_file(folder / name);
+      text += file_digest(file);
+  for (const std::string& name : choice.files) text += name + '\n' + file_digest(folder / name);
   return digest_of_text(text);
 }
 
 }  // namespace
 
-std::string digest_of_file(const fs::path& file) { return digest_of_text(base::text_of_file(file, UINTMAX_MAX)); }
+std::string file_digest(const fs::path& file) { return digest_of_text(base::text_of_file(file, UINTMAX_MAX)); }
 
-void list_fields(base::Fields& io, ProgramChoice& choice) {
+void list_fields(base::Fields& io, ProgramSpec& choice) {
   io.texts("process", choice.process, "a program and its arguments, in the folder of the study");
   io.texts("files", choice.files, "what the program consists of besides; an edited file solves anew");
   io.whole("memory_mb", choice.memory_mb, {0, 1'000'000},
@@ -68,7 +68,7 @@ Clock::time_point after(double seconds) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-Message next_message(ChildProcess& child, Clock::time_point deadline) {
+Message read_message(ChildProcess& child, Clock::time_point deadline) {
   std::string noise;
   try {
     for (;;) {
@@ -76,50 +76,51 @@ Message next_message(ChildProcess& child, Clock::time_point deadline) {
       if (line.starts_with('{')) return Message(std::move(line));
       noise = fmt::format("; it wrote what is no message: {}", base::one_line(base::front(line, 200)));
     }
-  } catch (const Trouble& trouble) {
-    throw Trouble{trouble.kind, trouble.why + noise};
+  } catch (const ProcessFailure& trouble) {
+    throw ProcessFailure{trouble.kind, trouble.why + noise};
   }
 }
 
 Message exchange(ChildProcess& child, const std::string& text, Clock::time_point deadline) {
   child.write(text, deadline);
-  return next_message(child, deadline);
+  return read_message(child, deadline);
 }
 
-Trouble unasked(ChildProcess& child, double patience) {
+ProcessFailure unasked(ChildProcess& child, double patience) {
   try {
-    next_message(child, after(patience)).fail("nothing after its answer");
-  } catch (const Trouble& trouble) {
+    read_message(child, after(patience)).fail("nothing after its answer");
+  } catch (const ProcessFailure& trouble) {
     return trouble;
   }
 }
 
-std::unique_ptr<ChildProcess> started(const ProgramChoice& choice, const fs::path& folder, Hello& hello) {
+std::unique_ptr<ChildProcess> started(const ProgramSpec& choice, const fs::path& folder, Hello& hello) {
   std::vector<std::string> words = choice.process;
   if (choice.memory_mb > 0)
     words.insert(words.begin(),
                  {"sh", "-c", fmt::format(R"(ulimit -v {} && exec "$0" "$@")", 1000 * choice.memory_mb)});
   auto child = std::make_unique<ChildProcess>(words, folder, std::vector<std::string>{"LC_ALL=C", "OMP_NUM_THREADS=1"});
-  const double patience = std::max(start_patience, choice.patience);
+  const double patience = std::max(start_timeout, choice.patience);
   try {
-    hello = next_message(*child, after(patience)).hello();
-  } catch (const Trouble& trouble) {
+    hello = read_message(*child, after(patience)).hello();
+  } catch (const ProcessFailure& trouble) {
     const std::string told = child->end_after(trouble.kind);
-    if (trouble.kind != Trouble::Kind::timed_out) throw Trouble{trouble.kind, trouble.why + told};
-    throw Trouble{trouble.kind, fmt::format("it says no hello within {:g} s ({}); a larger patience_s waits longer{}",
-                                            patience, trouble.why, told)};
+    if (trouble.kind != ProcessFailure::Kind::timed_out) throw ProcessFailure{trouble.kind, trouble.why + told};
+    throw ProcessFailure{
+        trouble.kind, fmt::format("it says no hello within {:g} s ({}); a larger patience_s waits longer{}", patience,
+                                  trouble.why, told)};
   }
   return child;
 }
 
-std::string own_urdf(const Program& program, const std::string& robot) {
+std::string urdf_text_for(const Program& program, const std::string& robot) {
   const fs::path file = program.folder / robot;
   return robots::is_urdf_file(robot) && is_file(file) ? base::text_of_file(file) : "";
 }
 
 bool Program::is_unchanged() const { return digest_of(choice, folder, hello) == digest; }
 
-std::shared_ptr<const Program> meet(const ProgramChoice& choice, const fs::path& folder) {
+std::shared_ptr<const Program> meet(const ProgramSpec& choice, const fs::path& folder) {
   for (const std::string& name : choice.files) {
     if (!is_file(folder / name))
       throw std::invalid_argument(fmt::format("there is no file {}", (folder / name).string()));
@@ -127,7 +128,7 @@ std::shared_ptr<const Program> meet(const ProgramChoice& choice, const fs::path&
   auto program = std::make_shared<Program>(Program{.choice = choice, .folder = folder, .hello = {}, .digest = {}});
   try {
     started(choice, folder, program->hello);
-  } catch (const Trouble& trouble) {
+  } catch (const ProcessFailure& trouble) {
     throw std::invalid_argument(trouble.why);
   }
   program->digest = digest_of(choice, folder, program->hello);

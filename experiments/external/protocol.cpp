@@ -43,12 +43,12 @@ bool Hello::solves(GoalKind goal) const {
   return std::ranges::find(goals, goal_names[static_cast<std::size_t>(goal)]) != goals.end();
 }
 
-Settings options_of(const Hello& hello, const Settings& settings) {
+Settings resolved_options(const Hello& hello, const Settings& settings) {
   OptionList list;  // a list of references
   std::deque<double> numbers;
   std::deque<int> wholes;
   std::deque<std::size_t> chosen;
-  for (const HelloOption& option : hello.options) {
+  for (const OptionSpec& option : hello.options) {
     if (!option.choices.empty()) {
       std::vector<std::pair<std::string, std::size_t>> choices;
       for (const std::string& choice : option.choices) choices.emplace_back(choice, choices.size());
@@ -71,8 +71,8 @@ Message::Message(std::string line) : line_(std::move(line)), json_(std::make_sha
 }
 
 void Message::fail(const std::string& expected) const {
-  throw Trouble{Trouble::Kind::broke_protocol,
-                fmt::format("it wrote {}; expected {}", base::one_line(front(line_, 200)), expected)};
+  throw ProcessFailure{ProcessFailure::Kind::broke_protocol,
+                       fmt::format("it wrote {}; expected {}", base::one_line(front(line_, 200)), expected)};
 }
 
 // Returns a text that is safe in tables and file names; fails otherwise.
@@ -84,9 +84,9 @@ std::string Message::text(const Json& object, const char* key) const {
   return found->get<std::string>();
 }
 
-HelloOption Message::option(const Json& object) const {
+OptionSpec Message::option(const Json& object) const {
   if (!object.is_object()) fail("options that are objects");
-  HelloOption option{.name = text(object, "name"), .meaning = text(object, "meaning"), .choices = {}};
+  OptionSpec option{.name = text(object, "name"), .meaning = text(object, "meaning"), .choices = {}};
   for (const char* key : {"", "solver", "label", "process", "files", "memory_mb", "patience_s", "batch", "population",
                           "options", "colour", "if_missing"})
     if (option.name == key) fail("options whose \"name\" is no key of [[solvers]]");
@@ -122,7 +122,7 @@ Hello Message::hello() const {
   if (options.size() > most_options) fail(fmt::format("at most {} options", most_options));
   for (const Json& each : options) {
     hello.options.push_back(option(each));
-    if (std::ranges::count(hello.options, hello.options.back().name, &HelloOption::name) > 1)
+    if (std::ranges::count(hello.options, hello.options.back().name, &OptionSpec::name) > 1)
       fail(fmt::format("the option {} once", hello.options.back().name));
   }
   for (const Json& goal : json_->value("goals", Json::array({"position", "axis", "pose"}))) {
@@ -144,7 +144,7 @@ std::string Message::why() const {
 
 std::string Message::fault() const {
   const Json valid = json_->value("valid", Json());
-  std::string why = valid == false ? std::string(front(text(*json_, "why"), most_bytes_of_name)) : "";
+  std::string why = valid == false ? std::string(front(text(*json_, "why"), max_name_bytes)) : "";
   if (name_ != "checked" || (valid != true && trimmed(why).empty()))
     fail(R"({"message":"checked","valid":true}, or false and in a few words "why")");
   return why;
@@ -182,7 +182,7 @@ std::map<std::string, double> Message::extras(const char* key) const {
   if (!(object.is_object() || object.is_null()) || object.size() > most_extras)
     fail(fmt::format("at most {} numbers by name as \"{}\"", most_extras, key));
   for (const auto& [name, value] : object.items()) {
-    for (const std::string_view ours : {results::refused_extra, results::check_extra, results::invalid_extra})
+    for (const std::string_view ours : {results::refused_prefix, results::check_extra, results::invalid_extra})
       if (!is_plain(name) || trimmed(name).empty() || name.starts_with(ours))
         fail(fmt::format("\"{}\" whose names are texts, not blank and not \"{}...\"", key, ours));
     if (!(value.is_number() || value.is_null())) fail(fmt::format("numbers by name as \"{}\"", key));
@@ -221,10 +221,10 @@ std::int64_t Message::count(const char* key) const {
   return static_cast<std::int64_t>(value);
 }
 
-std::string robot_message(const Robot& arm, const Chain& searched, const Goal& goal, const std::string& own_urdf,
+std::string robot_message(const Robot& arm, const Chain& searched, const Goal& goal, const std::string& urdf_text_for,
                           const Hello& hello, const Settings& options) {
   OrderedJson values = OrderedJson::object(), joints = OrderedJson::array();
-  for (const HelloOption& option : hello.options) {
+  for (const OptionSpec& option : hello.options) {
     const std::string text = text_of(options.at(option.name));
     values[option.name] = option.choices.empty() ? base::parsed_ordered_json(text) : OrderedJson(text);
   }
@@ -253,7 +253,7 @@ std::string robot_message(const Robot& arm, const Chain& searched, const Goal& g
                   {"base", numbers(searched.base().pose().matrix().transpose().reshaped())},
                   {"tip_link", tip_link_of(arm)},
                   {"tool", numbers(searched.tool().pose().matrix().transpose().reshaped())},
-                  {"urdf", own_urdf.empty() ? urdf_of(arm, searched) : own_urdf}});
+                  {"urdf", urdf_text_for.empty() ? urdf_of(arm, searched) : urdf_text_for}});
 }
 
 std::string solve_message(const Problem& problem, const Goal& goal, const StopRule& stop, std::uint32_t seed) {

@@ -17,12 +17,12 @@
 
 namespace ikbench::experiments {
 
-using base::ChildProcess, base::Clock, base::Trouble;
+using base::ChildProcess, base::Clock, base::ProcessFailure;
 
 constexpr int protocol_version = 2;
 
 // An option that a program offers.
-struct HelloOption {
+struct OptionSpec {
   std::string name, meaning;
   bool is_whole = false;
   double low = 0, high = 0, preset = 0;  // if it is a number
@@ -32,7 +32,7 @@ struct HelloOption {
 // A program's introduction of itself.
 struct Hello {
   std::string name, version;
-  std::vector<HelloOption> options;
+  std::vector<OptionSpec> options;
   std::vector<std::string> goals;  // of position, axis, pose
   bool takes_batches = false;
 
@@ -41,10 +41,10 @@ struct Hello {
 
 // Returns the options of a program: its defaults with the settings applied. Throws std::invalid_argument as
 // OptionList::set does.
-solvers::Settings options_of(const Hello& hello, const solvers::Settings& settings);
+solvers::Settings resolved_options(const Hello& hello, const solvers::Settings& settings);
 
-constexpr std::size_t most_bytes_of_name = 180;  // of a name from a check, which is stored with a prefix
-constexpr std::size_t most_extras = 50;          // names, in one answer and in all of a program
+constexpr std::size_t max_name_bytes = 180;  // of a name from a check, which is stored with a prefix
+constexpr std::size_t most_extras = 50;      // names, in one answer and in all of a program
 
 // A message of a program. A message that breaks the protocol throws Trouble, which shows the line and what was
 // expected.
@@ -69,7 +69,7 @@ class Message {
 
  private:
   std::string text(const nlohmann::json& object, const char* key) const;
-  HelloOption option(const nlohmann::json& object) const;
+  OptionSpec option(const nlohmann::json& object) const;
   robots::Configuration configuration(const nlohmann::json& list, int joints, const std::string& expected) const;
 
   std::string line_, name_;
@@ -78,9 +78,9 @@ class Message {
 
 // Returns the message on what is the same for all solves. `searched` has the joints before the wrist, or all. The
 // target of `goal` does not matter. A solver gets the arm that is judged as text; a check gets its file with the bodies
-// in it, `own_urdf`, if that is not empty.
+// in it, `urdf_text_for`, if that is not empty.
 std::string robot_message(const robots::Robot& arm, const robots::Chain& searched, const solvers::Goal& goal,
-                          const std::string& own_urdf, const Hello& hello, const solvers::Settings& options);
+                          const std::string& urdf_text_for, const Hello& hello, const solvers::Settings& options);
 // Returns the message on one solve, without the end of its line.
 std::string solve_message(const solvers::Problem& problem, const solvers::Goal& goal, const solvers::StopRule& stop,
                           std::uint32_t seed);

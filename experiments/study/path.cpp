@@ -2,7 +2,7 @@
 
 namespace ikbench::experiments {
 
-#define PATH(name) std::unique_ptr<PathKind> name##_path();
+#define PATH(name) std::unique_ptr<TargetSet> name##_path();
 #include "experiments/study/paths.inc"
 #undef PATH
 
@@ -14,12 +14,12 @@ std::vector<Path> paths() {
   return all;
 }
 
-Eigen::Matrix3d rotation(Tool tool) {
-  if (tool == Tool::down) return Eigen::Matrix3d{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+Eigen::Matrix3d rotation(ToolOrientation tool) {
+  if (tool == ToolOrientation::down) return Eigen::Matrix3d{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
   return Eigen::Matrix3d{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
 }
 
-std::vector<double> by_rows(const Eigen::Matrix3d& R) {
+std::vector<double> row_major(const Eigen::Matrix3d& R) {
   const Eigen::Matrix3d columns = R.transpose();
   return {columns.reshaped().begin(), columns.reshaped().end()};
 }

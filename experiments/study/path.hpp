@@ -16,9 +16,9 @@ namespace ikbench::experiments {
 using base::Fields, base::InKey, numerics::Key, numerics::Random, robots::Configuration, robots::Pose, robots::Robot;
 
 // A kind of path, with the fields of one path. Its file defines NAME_path(), which makes a path with the defaults.
-class PathKind {
+class TargetSet {
  public:
-  virtual ~PathKind() = default;
+  virtual ~TargetSet() = default;
   virtual std::string_view name() const = 0;     // NAME, as in study files
   virtual std::string_view summary() const = 0;  // in `ikbench list paths`
   virtual void list_fields(Fields& io) = 0;
@@ -39,7 +39,7 @@ class PathKind {
 };
 
 // A path of any kind. Copies share it, so its fields may be changed only before it is copied.
-using Path = std::shared_ptr<PathKind>;
+using Path = std::shared_ptr<TargetSet>;
 
 // Returns a new path of each kind, with its defaults, in the order of paths.inc.
 std::vector<Path> paths();
@@ -57,14 +57,14 @@ std::vector<Path> paths();
 std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file,
                                  const std::vector<std::string>& columns = {});
 
-constexpr std::pair<std::int64_t, std::int64_t> point_counts{1, 100'000};
+constexpr std::pair<std::int64_t, std::int64_t> point_count_range{1, 100'000};
 
 // The tool's orientation along a path. down: R = diag(-1, 1, -1). eq27: the third column is (0, 1, 0), a horizontal
 // tool, as Eq. 27 prints; the other columns are our choice.
-enum class Tool { down, eq27 };
-Eigen::Matrix3d rotation(Tool tool);
+enum class ToolOrientation { down, eq27 };
+Eigen::Matrix3d rotation(ToolOrientation tool);
 
 // Returns the nine elements of a rotation, row by row.
-std::vector<double> by_rows(const Eigen::Matrix3d& R);
+std::vector<double> row_major(const Eigen::Matrix3d& R);
 
 }  // namespace ikbench::experiments

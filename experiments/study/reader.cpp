@@ -47,7 +47,7 @@ class PathReader final : public TomlReader {
         "a list of 1 to 100000 poses such as { position_cm = [60, 0, 35], rpy_deg = [180, 0, 180] }";
     auto& poses = *std::any_cast<std::vector<Pose>*>(field);
     poses.clear();
-    for (const toml::table* const table : tables(name.key, point_counts.second, expected)) {
+    for (const toml::table* const table : tables(name.key, point_count_range.second, expected)) {
       if (table->contains("position_cm") == table->contains("position_m"))
         fail(name.key, *table, "a pose with either a position_cm or a position_m");
       poses.push_back(pose_in(nested(*table, fmt::format("{}{}.", prefix(), name.key))));
@@ -87,7 +87,7 @@ Path read_path(PathReader reader) {
   const toml::source_region& kind = reader.find("kind")->source();
   const bool is_other_kind = kind.begin.line == 0 || kind.path;
   reader.refuse_unknown_keys(is_other_kind ? override_source : "");
-  at_key(reader, "file", [&] { path->load(folder_of(reader, "file")); });
+  with_key_context(reader, "file", [&] { path->load(folder_of(reader, "file")); });
   return path;
 }
 
@@ -105,7 +105,7 @@ Robot read_arm(const TomlReader& reader, Study& study, const ArmOfStore& arm_of_
     study.robot_of_file = std::make_shared<const Robot>(arm_of_store(study.urdf));
     return *study.robot_of_file;
   }
-  if (!is_arm_file(study.robot)) return at_key(reader, "robot", [&] { return robot(study.robot); });
+  if (!is_arm_file(study.robot)) return with_key_context(reader, "robot", [&] { return robot(study.robot); });
   const std::filesystem::path file = folder_of(reader, "robot") / study.robot;
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
@@ -150,7 +150,7 @@ void read_check(TomlReader reader, Study& study) {
   if (study.checker->choice.batch > 0) throw reader.mistake("batch", "[check] is asked of one answer a message");
   const std::vector<std::string> numbers = study.check.numbers();
   for (const std::string& name : numbers)
-    if (trimmed(name).empty() || !is_plain(name) || name.size() > most_bytes_of_name || name.starts_with(check_extra) ||
+    if (trimmed(name).empty() || !is_plain(name) || name.size() > max_name_bytes || name.starts_with(check_extra) ||
         name.starts_with(invalid_extra))
       throw reader.mistake("larger", fmt::format("[check] names a number \"{}\"; expected a plain text", name));
   if (numbers.size() > most_extras)
@@ -164,7 +164,7 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
   const auto refuse_if = [&](bool is_wrong, std::string_view key, std::string_view message) {
     if (is_wrong) throw reader.mistake(key, message);
   };
-  at_key(reader, "path", [&] { study.path->check(arm); });
+  with_key_context(reader, "path", [&] { study.path->check(arm); });
   refuse_if(study.path->is_of_numpy() && study.seed > std::numeric_limits<std::uint32_t>::max(), "seed",
             "path.generator is \"numpy\", whose seeds are at most 4294967295");
   Random random(Key(0));
@@ -176,7 +176,7 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
       "loop.period_ms is about a path that the arm follows; expected start = \"previous\" and targets that are not "
       "drawn, or no [loop]");
   refuse_if(
-      study.state == results::State::hot && study.is_chained(), "state",
+      study.state == results::CacheState::hot && study.is_chained(), "state",
       "state is \"hot\", but start = \"previous\", so that a solver makes a run in a row; expected another start");
   refuse_if(study.checker && !study.has_tolerance(), "check",
             "[check] is asked of answers that reach their target; expected stop.tolerance_cm");
@@ -185,7 +185,8 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
             "solvers, runs and points make more than 100 000 000 solves; expected fewer");
   refuse_if(study.trace == solvers::Trace::best_error && study.stop.iterations > 1'000'000, "trace",
             "a trace has at most 1 000 000 iterations; expected stop.iterations of at most that");
-  refuse_if(study.limits == Limits::enforced && study.bounds == StudyBounds::initial, "bounds", not_enforced);
+  refuse_if(study.limits == Limits::enforced && study.bounds == BoundsPolicy::initial, "bounds",
+            bounds_need_recorded_limits);
   const Configuration units = joint_units(arm.chain);
   for (Eigen::Index j = 0; j < units.size(); ++j) {
     const double outside = std::max(arm.limits.lower[j] - study.initial[j], study.initial[j] - arm.limits.upper[j]);
@@ -202,7 +203,7 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
                                                "\"all_joints\", \"axis\" or \"pose\"",
                                                arm.name, misfit.empty() ? "" : ": " + misfit));
   }
-  refuse_if(study.search == Search::flange && !only_turns_tool(arm.chain), "search",
+  refuse_if(study.search == Search::flange && !rotates_tool_only(arm.chain), "search",
             fmt::format("search is \"flange\", but the last joint of {} moves the tool's point; expected "
                         "\"all_joints\", \"axis\" or \"pose\"",
                         arm.name));
@@ -233,7 +234,7 @@ Study read_study(const toml::table& table, std::string_view source, const ArmOfS
   list_fields(reader, study);
   // By default, wrap as controllers do: otherwise whole turns decide whose joint motion is smallest. Stored definitions
   // have their own value.
-  if (study.search == Search::pose && !table.contains("wrap")) study.wrap = Wrap::nearest;
+  if (study.search == Search::pose && !table.contains("wrap")) study.wrap = WrapPolicy::nearest;
   if (study.name.empty()) reader.fail("name", *table.get("name"), "a non-empty name");
   const auto papers = published::papers();
   if (!study.published.empty())
@@ -265,7 +266,7 @@ Study read_study(const toml::table& table, std::string_view source, const ArmOfS
   const Robot arm = read_arm(reader, study, arm_of_store);
   const Configuration units = joint_units(arm.chain);
   if (study.initial.size() == 0) {
-    study.initial = nearest_to_zero(arm);
+    study.initial = default_configuration(arm);
   } else if (study.initial.size() == arm.joints()) {
     study.initial = study.initial.cwiseProduct(units).eval();
   } else {
@@ -275,7 +276,8 @@ Study read_study(const toml::table& table, std::string_view source, const ArmOfS
   read_solvers(reader, study, arm);
   const std::vector<std::string> labels = labels_of(study);
   read_part(analysis, study.plan);
-  for (const std::string& then : study.plan.then) refuse_unknown(analysis, "then", "metric", then, results::all_thens);
+  for (const std::string& then : study.plan.then)
+    refuse_unknown(analysis, "then", "metric", then, results::default_tie_breakers);
   const std::string& control = study.plan.control;
   if (!control.empty() && std::ranges::find(study.solvers, control, &SolverEntry::family) == study.solvers.end())
     refuse_unknown(analysis, "control", "label", control, labels);
@@ -363,7 +365,7 @@ std::string solver_named(const std::string& name) {
   return name;
 }
 
-void keep_only(Study& study, const std::vector<std::string>& lists) {
+void select_solvers(Study& study, const std::vector<std::string>& lists) {
   std::set<std::string> labels;
   for (std::string rest : lists) {
     do {

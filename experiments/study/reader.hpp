@@ -38,6 +38,6 @@ std::vector<std::vector<std::string>> programs_of(const results::StoredStudy& st
 std::string solver_named(const std::string& name);
 // Keeps the entries with these labels, or that a sweep made of these: lists with commas. What is no label may be one in
 // other cases of letters, or name a solver (solver_named). Throws std::invalid_argument for an unknown one.
-void keep_only(Study& study, const std::vector<std::string>& lists);
+void select_solvers(Study& study, const std::vector<std::string>& lists);
 
 }  // namespace ikbench::experiments

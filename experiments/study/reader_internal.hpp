@@ -14,7 +14,7 @@
 namespace ikbench::experiments {
 
 constexpr std::string_view population_key = "population";
-constexpr std::string_view not_enforced =
+constexpr std::string_view bounds_need_recorded_limits =
     "bounds is \"initial\", but limits is \"enforced\"; expected bounds by which answers are inside the limits";
 
 // Sets a key of the study, or settings of its solvers, by "key=value" or "--option key=value" (overrides.cpp).
@@ -27,7 +27,7 @@ void read_solvers(base::TomlReader& reader, Study& study, const Robot& arm);
 
 // Returns what `make` returns. An error of `make` becomes a mistake of this key.
 template <class Make>
-auto at_key(const base::TomlReader& reader, std::string_view key, Make&& make) {
+auto with_key_context(const base::TomlReader& reader, std::string_view key, Make&& make) {
   try {
     return make();
   } catch (const std::invalid_argument& error) {

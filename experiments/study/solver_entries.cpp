@@ -30,7 +30,7 @@ void leave_out(TomlReader& entry, const std::string& what, const std::string& wh
   IfMissing if_missing = IfMissing::refuse;
   entry.choice("if_missing", if_missing, if_missing_choices);
   if (if_missing == IfMissing::refuse) return;
-  LeftOut left_out{what, why};
+  SkippedSolver left_out{what, why};
   entry.text("label", left_out.label);
   throw left_out;
 }
@@ -54,7 +54,7 @@ void read_kind(TomlReader& reader, SolverEntry& entry) {
   for (const MissingPeer& peer : missing_peers()) {
     if (peer.name == entry.solver) leave_out(reader, entry.solver, peer.how);
   }
-  at_key(reader, "solver", [&] { return solver(entry.solver); });
+  with_key_context(reader, "solver", [&] { return solver(entry.solver); });
 }
 
 // The value of a setting: the population or an option. `settings` names the entry's label before its keys.
@@ -71,7 +71,7 @@ Setting value_in(const TomlReader& settings, const SolverEntry& entry, const std
   Setting value;
   if (const auto quoted = node.value<std::string>()) {
     if (!is_plain(*quoted)) settings.fail(setting, node, plain_text);
-    const Settings defaults = options_with(entry, {});
+    const Settings defaults = entry_options(entry, {});
     const auto by_default = defaults.find(setting);
     const bool is_number = by_default != defaults.end() && std::holds_alternative<double>(by_default->second);
     if (const auto number = number_from(*quoted); number && is_number)
@@ -88,7 +88,7 @@ Setting value_in(const TomlReader& settings, const SolverEntry& entry, const std
     settings.fail(setting, node, "a number or a quoted string, or a list of them");
   }
   try {
-    options_with(entry, {{setting, value}});
+    entry_options(entry, {{setting, value}});
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(settings.where(node.source(), setting) + error.what());
   }
@@ -174,7 +174,8 @@ void check_entry(const TomlReader& reader, const TomlReader& at_entry, const Sol
   const auto bounds = entry.options.find("bounds");
   if (study.limits == Limits::enforced && bounds != entry.options.end() && bounds->second == Setting("initial")) {
     const toml::table* const options = at_entry.table()["options"].as_table();
-    throw(options == nullptr ? at_entry : at_entry.nested(*options, at_entry.prefix())).mistake("bounds", not_enforced);
+    throw(options == nullptr ? at_entry : at_entry.nested(*options, at_entry.prefix()))
+        .mistake("bounds", bounds_need_recorded_limits);
   }
 }
 
@@ -205,7 +206,7 @@ std::vector<SolverEntry> read_entry(TomlReader reader) {
 
 std::shared_ptr<const Program> read_program(TomlReader& reader, bool is_of_entry) {
   constexpr std::string_view key = "process";
-  ProgramChoice choice;
+  ProgramSpec choice;
   list_fields(reader, choice);
   if (choice.process.empty() || choice.process[0].empty())
     throw reader.mistake(key, reader.prefix() + "process is missing or empty; expected a program, and its arguments");
@@ -225,7 +226,7 @@ void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
     std::vector<SolverEntry> entries;
     try {
       entries = read_entry(reader.nested(*table, "solvers."));
-    } catch (const LeftOut& left_out) {
+    } catch (const SkippedSolver& left_out) {
       study.left_out.push_back(left_out);
     }
     for (SolverEntry& entry : entries) {

@@ -50,18 +50,18 @@ Configuration joint_units(const Chain& arm) {
 
 const SolverInfo& info_of(const SolverEntry& entry) { return entry.own ? *entry.own : solver(entry.solver); }
 
-Settings options_with(const SolverEntry& entry, const Settings& settings) {
-  return entry.program ? options_of(entry.program->hello, settings) : info_of(entry).options(settings);
+Settings entry_options(const SolverEntry& entry, const Settings& settings) {
+  return entry.program ? resolved_options(entry.program->hello, settings) : info_of(entry).options(settings);
 }
 
 Settings effective_options(const Study& study, const SolverEntry& entry) {
-  if (entry.program) return options_with(entry, entry.options);
+  if (entry.program) return entry_options(entry, entry.options);
   const SolverInfo& info = info_of(entry);
   Settings settings;
   const Settings presets = info.options({});
   if (const auto preset = presets.find("bounds"); preset != presets.end()) {
-    if (study.bounds == StudyBounds::initial) settings["bounds"] = "initial";
-    if (study.bounds == StudyBounds::clamp ||
+    if (study.bounds == BoundsPolicy::initial) settings["bounds"] = "initial";
+    if (study.bounds == BoundsPolicy::clamp ||
         (study.limits == Limits::enforced && preset->second == Setting("initial")))
       settings["bounds"] = "clamp";
   }
@@ -80,7 +80,7 @@ std::vector<Pose> targets(const Study& study, const Robot& arm, int run) {
 
 std::vector<Pose> targets(const Study& study, int run) { return targets(study, arm_of(study), run); }
 
-Configuration nearest_to_zero(const Robot& arm) {
+Configuration default_configuration(const Robot& arm) {
   return arm.limits.lower.cwiseMax(Configuration::Zero(arm.joints())).cwiseMin(arm.limits.upper);
 }
 
@@ -104,14 +104,14 @@ std::vector<Configuration> starts(const Study& study, const Robot& arm, int run)
   return all;
 }
 
-std::vector<Unreachable> unreachable(const Study& study) {
+std::vector<UnreachableTarget> unreachable(const Study& study) {
   if (study.path->is_drawn()) return {};
   const Robot arm = arm_of(study);
   const std::optional<SphericalWrist> wrist =
       study.search == Search::wrist ? std::optional<SphericalWrist>(arm.chain) : std::nullopt;
   const Chain& searched = wrist ? wrist->arm() : arm.chain;
   const Chain::Ball ball = searched.reach();
-  std::vector<Unreachable> beyond;
+  std::vector<UnreachableTarget> beyond;
   int point = 0;
   for (const Pose& target : targets(study, arm, 1)) {
     ++point;
@@ -122,7 +122,7 @@ std::vector<Unreachable> unreachable(const Study& study) {
   return beyond;
 }
 
-Shard shard_from(std::string_view text) {
+Shard parse_shard(std::string_view text) {
   Shard shard;
   std::sscanf(std::string(text).c_str(), "%6d/%6d", &shard.index, &shard.count);
   if (shard.text() == text && shard.index >= 1 && shard.index <= shard.count && shard.count <= most_shards)
@@ -139,12 +139,12 @@ bool contains(Shard shard, const Study& study, int run, int point) {
   return part % shard.count == shard.index - 1;
 }
 
-std::int64_t parts_of(const Study& study) {
+std::int64_t work_unit_count(const Study& study) {
   return study.is_chained() ? study.runs : std::int64_t{study.runs} * study.path->points();
 }
 
-std::int64_t solves_of(Shard shard, const Study& study) {
-  const std::int64_t mine = (parts_of(study) + shard.count - shard.index) / shard.count;
+std::int64_t planned_solve_count(Shard shard, const Study& study) {
+  const std::int64_t mine = (work_unit_count(study) + shard.count - shard.index) / shard.count;
   return mine * (study.is_chained() ? study.path->points() : 1) * std::ssize(study.solvers);
 }
 

@@ -17,8 +17,8 @@
 
 namespace ikbench::experiments {
 
-using results::Limits, results::Search, results::Start, results::StudyBounds, results::WristBranch, results::WristTurns,
-    results::Wrap;
+using results::Limits, results::Search, results::Start, results::BoundsPolicy, results::WristBranch,
+    results::WristTurns, results::WrapPolicy;
 
 struct Program;  // external/program.hpp
 
@@ -45,13 +45,13 @@ struct SolverEntry {
 const solvers::SolverInfo& info_of(const SolverEntry& entry);
 
 // A solver that was left out, because its library or program is missing.
-struct LeftOut {
+struct SkippedSolver {
   std::string label;
   std::string why;  // "not built: ..."
 };
 
 // A study with all that is made of its settings: the arm, the path, the solvers.
-struct Study : results::StudyData {
+struct Study : results::StudySpec {
   std::shared_ptr<const Robot> robot_of_file;  // the arm in the file `robot`; null: the arm is built in
   robots::UrdfChoice urdf;                     // for a URDF file
   Path path = paths().front();
@@ -59,7 +59,7 @@ struct Study : results::StudyData {
   solvers::Trace trace = solvers::Trace::none;
   std::vector<SolverEntry> solvers;
   std::shared_ptr<const Program> checker;  // the check of answers that reached their target; null: none
-  std::vector<LeftOut> left_out;
+  std::vector<SkippedSolver> left_out;
   std::vector<std::string> notes;  // sentences on what was not taken as it stands
 };
 
@@ -75,7 +75,7 @@ Configuration joint_units(const robots::Chain& arm);
 
 // Returns the defaults of the entry's solver with these settings applied. Throws std::invalid_argument as
 // OptionList::set does.
-solvers::Settings options_with(const SolverEntry& entry, const solvers::Settings& settings);
+solvers::Settings entry_options(const SolverEntry& entry, const solvers::Settings& settings);
 // Returns the options that an entry's solver is made with: its defaults, the study's bounds, then its own options.
 solvers::Settings effective_options(const Study& study, const SolverEntry& entry);
 int effective_population(const Study& study, const SolverEntry& entry);
@@ -86,19 +86,19 @@ std::vector<Pose> targets(const Study& study, const Robot& arm, int run);
 std::vector<Pose> targets(const Study& study, int run);
 
 // Returns zeros, or the nearest values that the limits allow: the initial configuration if the study gives none.
-Configuration nearest_to_zero(const Robot& arm);
+Configuration default_configuration(const Robot& arm);
 
 // Returns the starts of a run's solves, the same for all solvers; none for Start::previous and Start::initial.
 std::vector<Configuration> starts(const Study& study, const Robot& arm, int run);
 
 // A target that no configuration can reach, because it is farther from the shoulder than the arm is long. Both are
 // measured to the wrist's centre if the study searches that.
-struct Unreachable {
+struct UnreachableTarget {
   int point;        // from 1
   double distance;  // [m]
   double reach;     // [m]
 };
-std::vector<Unreachable> unreachable(const Study& study);
+std::vector<UnreachableTarget> unreachable(const Study& study);
 
 // A share of a study's solves, so that several machines can solve it side by side.
 // The parts of a study are its runs, or, if no solve starts from the previous answer, the single targets of every run.
@@ -112,10 +112,10 @@ struct Shard {
 };
 
 // Reads "I/N". Throws std::invalid_argument for anything else.
-Shard shard_from(std::string_view text);
+Shard parse_shard(std::string_view text);
 
 bool contains(Shard shard, const Study& study, int run, int point);
-std::int64_t parts_of(const Study& study);
-std::int64_t solves_of(Shard shard, const Study& study);  // by all solvers
+std::int64_t work_unit_count(const Study& study);
+std::int64_t planned_solve_count(Shard shard, const Study& study);  // by all solvers
 
 }  // namespace ikbench::experiments

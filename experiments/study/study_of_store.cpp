@@ -65,7 +65,7 @@ Json targets_in(const Store& store, const StoredStudy& stored) {
 }
 
 // Returns a path whose targets were in a file: its fields, and the targets as the store has them.
-class TargetsOfFile final : public PathKind {
+class TargetsOfFile final : public TargetSet {
  public:
   TargetsOfFile(Path fields, Path targets) : fields_(std::move(fields)), targets_(std::move(targets)) {}
 

@@ -126,8 +126,8 @@ Study as_in_files(Study study) {
 }
 
 // Returns how a program is started, without the settings that have their defaults.
-OrderedJson start_of(ProgramChoice choice) {
-  ProgramChoice by_default;
+OrderedJson start_of(ProgramSpec choice) {
+  ProgramSpec by_default;
   const FieldsWritten fields = written(choice), defaults = written(by_default);
   OrderedJson json;
   for (std::size_t i = 0; i < fields.size(); ++i)
@@ -249,7 +249,7 @@ std::string lines_of(const FieldsWritten& fields) {
     text += fmt::format("{} = [\n", key);
     for (const Pose& pose : *poses) {
       text += fmt::format("  {{ position_m = {}, rotation = {} }},\n", toml_text(in_units(pose.translation(), 1)),
-                          toml_text(by_rows(pose.linear())));
+                          toml_text(row_major(pose.linear())));
     }
     text += "]\n";
   }
@@ -297,7 +297,8 @@ std::string to_toml(FigureStyle style) { return lines_of(written(style)); }
 
 std::string to_toml(const Study& study) {
   Study fields = as_in_files(study);
-  if (study.initial == nearest_to_zero(arm_of(study))) fields.initial.resize(0);  // does not depend on the arm then
+  if (study.initial == default_configuration(arm_of(study)))
+    fields.initial.resize(0);  // does not depend on the arm then
   std::string text = lines_of(written(fields));
   text +=
       "\n[analysis]  # how the results are judged; it does not affect the solves\n" + lines_of(written(fields.plan)) +
@@ -306,15 +307,15 @@ std::string to_toml(const Study& study) {
   text += "\n[stop]\n" + lines_of(written(fields.stop)) + "\n[loop]\n" + lines_of(written(fields.loop)) + '\n' +
           to_toml(fields.path);
   if (study.checker) {
-    ProgramChoice choice = study.checker->choice;
+    ProgramSpec choice = study.checker->choice;
     text += "\n[check]\n" + lines_of(written(choice)) + lines_of(written(fields.check));
   }
-  for (const LeftOut& left_out : study.left_out)
+  for (const SkippedSolver& left_out : study.left_out)
     text += fmt::format("\n# left out: {} is {}\n", left_out.label, left_out.why);
   for (const SolverEntry& entry : study.solvers) {
     text += "\n[[solvers]]\n" + line("label", toml_string(entry.label), "");
     if (entry.program) {
-      ProgramChoice choice = entry.program->choice;
+      ProgramSpec choice = entry.program->choice;
       text += lines_of(written(choice));
     } else {
       text += line("solver", toml_string(entry.solver), "options and ranges: ikbench list solvers " + entry.solver);
@@ -348,7 +349,7 @@ std::string to_json(const Study& study) {
 
 Json arm_json(const Robot& arm) { return parsed_json(base::text_of(arm_definition(arm))); }
 
-std::string to_json(results::Plan plan) { return base::text_of(json_of(written(plan))); }
+std::string to_json(results::AnalysisPlan plan) { return base::text_of(json_of(written(plan))); }
 
 std::string configuration_key(const Study& study, const SolverEntry& entry) {
   // Writes the fields marked InKey::in_text. With another word or order here, all stored solves would be solved again.
@@ -375,7 +376,7 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
   [[maybe_unused]] const auto& [label, algorithm, options, population, program, if_missing, own, colour, family] =
       entry;
   text += fmt::format("\nsolver {} label {}", algorithm, label);
-  if (program) text += said_by_name(program->choice, ProgramChoice{}, "program.");
+  if (program) text += said_by_name(program->choice, ProgramSpec{}, "program.");
   Settings in_effect = effective_options(study, entry);
   if (!program) {
     info_of(entry).describe([&](const OptionList& list) {
@@ -391,15 +392,15 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
 
 std::string source_digest_of(const SolverEntry& entry) {
   if (entry.program) return entry.program->digest;
-  return entry.own ? digest_of_file(own_program()) : solver_source_digest(entry.solver);
+  return entry.own ? file_digest(executable_path()) : solver_source_digest(entry.solver);
 }
 
-std::string library_of(const SolverEntry& entry) { return entry.program ? "" : info_of(entry).library; }
+std::string library_name(const SolverEntry& entry) { return entry.program ? "" : info_of(entry).library; }
 
 std::string source_key(const SolverEntry& entry) {
   Key source = Key(0).with(shared_source_digest()).with(source_digest_of(entry));
-  if (const std::string library = library_of(entry); !library.empty()) source = source.with(library);
-  return fmt::format("{}{:016x}", before_source, source.value());
+  if (const std::string library = library_name(entry); !library.empty()) source = source.with(library);
+  return fmt::format("{}{:016x}", source_separator, source.value());
 }
 
 std::string series_key(const Study& study, const SolverEntry& entry) {
@@ -434,8 +435,8 @@ std::vector<Series> series_of(const Study& study) {
   return all;
 }
 
-StoredStudy stored_study(const Study& study) {
-  return {.name = study.name, .definition = definition_of(to_json(study)), .series = series_of(study)};
+StoredStudy to_stored(const Study& study) {
+  return {.name = study.name, .definition = parse_definition(to_json(study)), .series = series_of(study)};
 }
 
 }  // namespace ikbench::experiments

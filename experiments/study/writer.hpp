@@ -23,14 +23,14 @@ std::string to_json(const Study& study);
 // Returns an arm as the definition has it at "/arm".
 base::Json arm_json(const Robot& arm);
 // Returns a plan as the definition has it at "/analysis".
-std::string to_json(results::Plan plan);
+std::string to_json(results::AnalysisPlan plan);
 
 // Returns the hash of everything in the study that decides the numbers of one solver.
 std::string configuration_key(const Study& study, const SolverEntry& entry);
 // Returns the digest of the source of the entry's solver: its source file, or the executable and files of a program.
 std::string source_digest_of(const SolverEntry& entry);
 // Returns the library of a peer, with its version; empty for other solvers.
-std::string library_of(const SolverEntry& entry);
+std::string library_name(const SolverEntry& entry);
 // Returns the part of the entry's keys that is made of the source, and of a peer's library.
 std::string source_key(const SolverEntry& entry);
 // Returns configuration_key and source_key with a hash of the study's check. Equal keys mean equal numbers on one
@@ -40,7 +40,7 @@ std::string series_key(const Study& study, const SolverEntry& entry);
 // Return the series of the study, and all of it, as the store keeps them. A key is a hash of all targets, which takes
 // time, so a run makes it once.
 std::vector<results::Series> series_of(const Study& study);
-results::StoredStudy stored_study(const Study& study);
+results::StoredStudy to_stored(const Study& study);
 
 // Lists the fields of a study that judging does not need. The others are listed in results/study.cpp, those of a path
 // in paths/.
@@ -56,7 +56,7 @@ inline void list_fields(Fields& io, robots::UrdfChoice& urdf) {
 }
 
 inline void list_fields(Fields& io, Study& study) {
-  list_fields(io, static_cast<results::StudyData&>(study));
+  list_fields(io, static_cast<results::StudySpec&>(study));
   io.numbers(
       "initial_deg", study.initial, 1, 0,
       "configuration before the first point of a run: degrees, and metres for a joint that slides; []: zeros, or the "

@@ -66,7 +66,7 @@ struct Reach {
 
 // Times `evaluate(errors)`, after a look that its errors are ours.
 template <class Evaluate>
-void measure(benchmark::State& state, const Reach& reach, const Evaluate& evaluate) {
+void measure(benchmark::CacheState& state, const Reach& reach, const Evaluate& evaluate) {
   Eigen::VectorXd errors(reach.problem.population), expected = errors;
   evaluate(errors);
   reach.arm.chain.position_errors(reach.candidates(), reach.target, expected);
@@ -78,13 +78,13 @@ void measure(benchmark::State& state, const Reach& reach, const Evaluate& evalua
   }
 }
 
-void ours(benchmark::State& state) {
+void ours(benchmark::CacheState& state) {
   const Reach reach;
   const Candidates q = reach.candidates();
   measure(state, reach, [&](Eigen::VectorXd& errors) { reach.arm.chain.position_errors(q, reach.target, errors); });
 }
 
-void limit(benchmark::State& state) {
+void limit(benchmark::CacheState& state) {
   const Reach reach;
   const Candidates q = reach.candidates();
   const Kernels iiwa = benchmarks::kernels(instruction_set());
@@ -93,7 +93,7 @@ void limit(benchmark::State& state) {
   });
 }
 
-void eigen(benchmark::State& state) {
+void eigen(benchmark::CacheState& state) {
   const Reach reach;
   const Eigen::MatrixXd q = reach.candidates();
   measure(state, reach, [&](Eigen::VectorXd& errors) {
@@ -107,7 +107,7 @@ BENCHMARK(eigen)->Name("forward_kinematics/Eigen");
 
 #ifdef IKBENCH_HAS_KDL
 // As KDL is meant to be called. It gives the whole pose.
-void kdl(benchmark::State& state) {
+void kdl(benchmark::CacheState& state) {
   const Reach reach;
   KDL::Chain chain;
   for (const DhLink& link : reach.arm.chain.links())
@@ -134,13 +134,13 @@ BENCHMARK(kdl)->Name("forward_kinematics/KDL");
 constexpr int iterations = 200;
 
 // The means of all solves.
-void count(benchmark::State& state, double error, double evaluations) {
+void count(benchmark::CacheState& state, double error, double evaluations) {
   state.counters["error_cm"] = benchmark::Counter(100 * error, benchmark::Counter::kAvgIterations);
   state.counters["evaluations"] = benchmark::Counter(evaluations, benchmark::Counter::kAvgIterations);
 }
 
 // Solves for all goals in turn. A library's iterations, which nobody counts, are `of_library`.
-void solves(benchmark::State& state, Solver& solver, const Chain& arm, const Problem& problem,
+void solves(benchmark::CacheState& state, Solver& solver, const Chain& arm, const Problem& problem,
             const std::vector<Goal>& goals, const StopRule& stop, int of_library = 0) {
   Random random{Key(1)};
   double error = 0, evaluations = 0;
@@ -155,7 +155,7 @@ void solves(benchmark::State& state, Solver& solver, const Chain& arm, const Pro
   count(state, error, evaluations);
 }
 
-void registered(benchmark::State& state, const char* name) {
+void registered(benchmark::CacheState& state, const char* name) {
   const Reach reach;
   solves(state, *solver(name).make({}), reach.arm.chain, reach.problem, {reach.target}, {.iterations = iterations});
 }
@@ -166,7 +166,7 @@ struct Needs {
 };
 
 // What no implementation can leave out: the solver's random numbers, and its evaluations in full batches.
-void floor(benchmark::State& state, Needs needs) {
+void floor(benchmark::CacheState& state, Needs needs) {
   const Reach reach;
   const Candidates q = reach.candidates();
   Candidates of_joints = q;
@@ -188,7 +188,7 @@ void floor(benchmark::State& state, Needs needs) {
 }
 
 // All six on an arm of many joints, with many candidates. Counts an evaluation as often as there are joints.
-void growth(benchmark::State& state) {
+void growth(benchmark::CacheState& state) {
   const Eigen::Index joints = state.range(0);
   std::vector<DhLink> links;
   for (Eigen::Index j = 0; j < joints; ++j)
@@ -227,7 +227,7 @@ BENCHMARK(growth)->Args({4, 50})->Args({32, 50})->Args({7, 50})->Args({7, 5000})
 // ---- an iteration, which is an evaluation, towards 50 poses of the Panda by textbook solvers and KDL, and the least
 // that one needs
 
-void textbook(benchmark::State& state, const char* name, const Settings& settings, int of_library) {
+void textbook(benchmark::CacheState& state, const char* name, const Settings& settings, int of_library) {
   const Robot arm = robot("franka_panda");
   const auto& [lower, upper] = arm.limits;
   const Problem problem{.start = (lower + upper) / 2, .lower = lower, .upper = upper};
@@ -242,7 +242,7 @@ void textbook(benchmark::State& state, const char* name, const Settings& setting
 }
 
 // Forward kinematics, Jacobian and damped step in plain Eigen, with known sizes and the sines of the C library.
-void textbook_floor(benchmark::State& state) {
+void textbook_floor(benchmark::CacheState& state) {
   const Robot arm = robot("franka_panda");
   const Eigen::Matrix<double, 7, 1> goal = (arm.limits.lower + arm.limits.upper) / 2;
   const Pose target = arm.chain.forward(goal);
@@ -292,9 +292,10 @@ TEXTBOOK(kdl_newton, {{"accuracy", 1e-300}, {"iterations", 100.0}}, 100);
 // ---- the whole helix study, slim2023-50: six solvers, 2400 solves, with timing and verifier, without store and
 // report; by one thread and by two
 
-void whole_study(benchmark::State& state) {
+void whole_study(benchmark::CacheState& state) {
   const experiments::Study study = experiments::load_study("slim2023-50");
-  for (auto _ : state) experiments::solve_study(study, static_cast<int>(state.range(0)), [](results::SolveRecord) {});
+  for (auto _ : state)
+    experiments::solve_without_store(study, static_cast<int>(state.range(0)), [](results::SolveRecord) {});
 }
 
 BENCHMARK(whole_study)

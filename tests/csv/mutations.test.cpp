@@ -27,7 +27,7 @@ TEST_CASE("whatever is in a CSV, it is judged or refused in one sentence", "[mut
     const auto judge_it = [&](const std::string& text) {
       csv::Quantities read = csv::read(text, "m.csv", request);
       for (judge::MetricSamples& each : read.observed) {
-        const judge::Plan plan = csv::with_margin({}, "", each);
+        const judge::AnalysisPlan plan = csv::with_margin({}, "", each);
         for (const judge::Group& group : judge::judge(std::move(each), plan).observations.groups)
           CHECK(std::ranges::none_of(values_of(group), [](double value) { return std::isnan(value); }));
       }

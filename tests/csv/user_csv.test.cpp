@@ -22,7 +22,7 @@ MetricSamples observations(const std::string& text, const Request& request = {})
 
 Seen finding(const std::string& text, const Request& request = {}, const std::string& margin = "") {
   MetricSamples of = observations(text, request);
-  const judge::Plan plan = csv::with_margin({}, margin, of);
+  const judge::AnalysisPlan plan = csv::with_margin({}, margin, of);
   return judge::compared(of, plan).front();
 }
 
@@ -403,7 +403,8 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
   CHECK(finding(with_infinite(2, 2), rows, "5%").verdict == Verdict::undecided);
   const MetricSamples observed = observations(with_infinite(0, 3), rows);
   CHECK(words_of(observed.doubts.front()) == "3 of 20 values are no answers (B)");
-  CHECK(is_open(judge::compare(observed, {.test = Plan::Test::means}).front(), NotTested::NotTestedReason::infinite));
+  CHECK(is_open(judge::compare(observed, {.test = AnalysisPlan::Test::means}).front(),
+                NotTested::NotTestedReason::infinite));
   CHECK(std::isinf(describe(observed.groups[1]).mean));
   CHECK(describe(observed.groups[1]).median == 11);
   CHECK(contains(
@@ -708,7 +709,7 @@ TEST_CASE("margins are shares or in the unit of the values") {
   MetricSamples of = observations(wide, {.label = {"columns"}, .run = "row"});
   CHECK(csv::with_margin({}, "", of).margin == 0.05);
   CHECK(csv::with_margin({}, "10%", of).margin == Approx(0.1));
-  const judge::Plan plan = csv::with_margin({}, "0.5", of);
+  const judge::AnalysisPlan plan = csv::with_margin({}, "0.5", of);
   CHECK(plan.margin == 0);
   CHECK(of.absolute_margin == 0.5);
   for (const char* margin : {"x", "-1", "%", "nan", "inf", "10"})

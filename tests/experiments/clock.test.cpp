@@ -61,8 +61,8 @@ std::map<std::int64_t, std::map<std::string, std::set<std::pair<int, int>>>> pla
 TEST_CASE("a solve is one timed call, and says under what circumstances its time was taken", "[clock]") {
   const Timing alone = is_debug_build() ? Timing::debug_build : Timing::clean;
   const Timing together = is_debug_build() ? Timing::debug_build : Timing::parallel;
-  for (const SolveRecord& solve : solves_of(small_study(), 2)) CHECK(solve.timing == together);
-  for (const SolveRecord& solve : solves_of(small_study())) {
+  for (const SolveRecord& solve : planned_solve_count(small_study(), 2)) CHECK(solve.timing == together);
+  for (const SolveRecord& solve : planned_solve_count(small_study())) {
     CHECK(solve.timing == alone);
     CHECK(solve.repeats == 1);
     CHECK(solve.seconds > 0);
@@ -112,7 +112,7 @@ TEST_CASE("all solvers solve a target before the next, and take turns at being f
 TEST_CASE("hot is the second call, after one on another target", "[clock]") {
   Study study = study_of_calls(5);
   study.turns = 1;
-  study.state = State::hot;
+  study.state = CacheState::hot;
   study.solvers.pop_back();
   ScratchStore store;
   run(study, store, {});
@@ -123,11 +123,11 @@ TEST_CASE("hot is the second call, after one on another target", "[clock]") {
   for (const int target : {4, 4, 4, 0, 1, 0, 1, 2, 3, 4, 2, 3, 4})
     expected.push_back(poses[static_cast<std::size_t>(target)].translation().x());
   CHECK(asked == expected);
-  const auto key_of = [&](State state) {
+  const auto key_of = [&](CacheState state) {
     study.state = state;
     return series_key(study, study.solvers.front());
   };
-  CHECK(key_of(State::hot) != key_of(State::first));
+  CHECK(key_of(CacheState::hot) != key_of(CacheState::first));
 }
 
 TEST_CASE("a stop cuts one session, and all others have the same targets of all solvers", "[clock]") {

@@ -11,7 +11,7 @@ TEST_CASE("no solver's answer is held at half a turn from the start", "[endless]
   const Study study = load_study("tests/data/endless.toml");
   const Robot arm = arm_of(study);
   std::map<std::string, int> held, beyond;
-  solve_study(study, 1, [&](const SolveRecord& solve) {
+  solve_without_store(study, 1, [&](const SolveRecord& solve) {
     CHECK(solve.largest_move_deg <= 180 * (1 + 1e-12));
     CHECK(solve.status != Status::limit_violated);
     for (Eigen::Index j = 0; j < arm.joints(); ++j) {
@@ -63,5 +63,5 @@ TEST_CASE("a program gets null for no limit, a whole turn each way to search in,
   CHECK(told["budget"]["iterations"] == 1000);
   const Goal pose{arm.chain.forward(Configuration::Constant(7, 0.7)), 0.25, GoalKind::pose};
   const nlohmann::json of_pose = nlohmann::json::parse(solve_message(problem, pose, {}, 1));
-  CHECK(of_pose["target"]["rotation"] == by_rows(pose.target.linear()));
+  CHECK(of_pose["target"]["rotation"] == row_major(pose.target.linear()));
 }

@@ -60,8 +60,8 @@ TEST_CASE("candidates are numbers as JSON writes them", "[foreign]") {
   const auto is_read = [](const std::string& number) {
     try {
       return Message(R"({"message":"evaluate","candidates":[[1,2],[3,)" + number + "]]}").candidates(2).size() == 4;
-    } catch (const Trouble& trouble) {
-      return trouble.kind != Trouble::Kind::broke_protocol;
+    } catch (const ProcessFailure& trouble) {
+      return trouble.kind != ProcessFailure::Kind::broke_protocol;
     }
   };
   for (const char* number : {"0", "-0.5", "1e-3", "1E5", "12345678901234567890", "0.1000000000000000055", "1e-400"})
@@ -76,7 +76,7 @@ TEST_CASE("an extra's name is no refused answer's, and not blank", "[foreign]") 
     return Message(R"({"message":"solved","extras":{")" + name + "\":3}}").extras();
   };
   CHECK(read("refused").at("refused") == 3);
-  for (const char* name : {"", " ", "refused_1", "a\\u001b"}) CHECK_THROWS_AS(read(name), Trouble);
+  for (const char* name : {"", " ", "refused_1", "a\\u001b"}) CHECK_THROWS_AS(read(name), ProcessFailure);
 }
 
 TEST_CASE("every arm follows from its robot message alone, by the formulas of protocol.md", "[foreign][protocol]") {

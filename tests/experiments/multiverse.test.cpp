@@ -93,13 +93,13 @@ TEST_CASE("the parts of a plan have the means of their runs, by any number of jo
   const std::string set = GENERATE("limits=recorded", "limits=enforced", "wrap=into_limits");
   const Overrides few{set, "runs=3", "path.points=3", "stop.iterations=6", "population=6"};
   const auto parts = plan_multiverse("slim2023", {branch}, 1, few).parts;
-  const std::vector<PartMeans> means = solve_parts(parts, {.jobs = 1}), again = solve_parts(parts, {.jobs = 3});
+  const std::vector<SeriesMeans> means = solve_parts(parts, {.jobs = 1}), again = solve_parts(parts, {.jobs = 3});
   REQUIRE(means.size() == parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     CHECK(again[i].error_cm == means[i].error_cm);
     CHECK(again[i].variation_deg == means[i].variation_deg);
-    PartMeans by_hand{std::vector<double>(3), std::vector<double>(3)};
-    for (const SolveRecord& solve : solves_of(parts[i])) {
+    SeriesMeans by_hand{std::vector<double>(3), std::vector<double>(3)};
+    for (const SolveRecord& solve : planned_solve_count(parts[i])) {
       const auto value = static_cast<std::size_t>(solve.run) - 1;
       double squares = 0;
       for (std::size_t j = 0; j < 7; ++j) squares += std::pow((solve.answer_rad[j] - solve.start_rad[j]) / degree, 2);

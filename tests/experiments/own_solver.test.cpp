@@ -69,7 +69,7 @@ std::string statements_of(const std::string& place, const std::function<void(Bes
   const ScratchFolder folder;
   const Study study = study_of_faulty(search);
   static std::map<std::string, StoredStudy> known;  // each has a digest of this whole program
-  if (!known.contains(search)) known.emplace(search, stored_study(study));
+  if (!known.contains(search)) known.emplace(search, to_stored(study));
   Store store(folder.path / "store.sqlite", Store::Mode::write);
   std::string said = complaint<Exception>([&] { run(study, known.at(search), store, {}); });
   CHECK(store.solves(study.name).size() == 1);
@@ -84,8 +84,8 @@ void check_that_all_read(const StoredStudy& study, const Store& store, const std
   CHECK(results::merge(folder / "merged.sqlite", {folder / "store.sqlite"}, recheck_of).added == std::ssize(solves));
   CHECK(fingerprint(Store(folder / "merged.sqlite", Store::Mode::read), study).text == fingerprint(store, study).text);
   std::string csv;
-  write_csv([&](const TakeSolve& take) { store.each_of_study(study, take); },
-            [&](std::string_view part) { csv += part; }, store.names_of_extras(study));
+  write_csv([&](const SolveVisitor& take) { store.each_of_study(study, take); },
+            [&](std::string_view part) { csv += part; }, store.extra_names(study));
   CHECK(parse_csv(csv, "solves.csv").rows() == solves.size());
   show::publish(show::make_report(judge::judge(judge::read_study(store, study)), {}), folder / "report",
                 {.only = {"none"}});
@@ -137,9 +137,9 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
                              {"", nothing, Status::ok, cut, std::string(199, 'x') + "\u00e9"}};
   for (const std::string search : {"all_joints", "pose"}) {
     Study study = study_of_faulty(search);
-    study.wrap = Wrap::no;  // which would turn a huge angle to a near one
+    study.wrap = WrapPolicy::no;  // which would turn a huge angle to a near one
     study.solvers.push_back({.label = "RS", .solver = "random_search"});
-    const StoredStudy stored = stored_study(study);
+    const StoredStudy stored = to_stored(study);
     std::vector<SolveRecord> neighbours;
     for (const auto& [place, fault, status, told, noted, asks, last_noted] : all) {
       INFO(search << ", " << place << ", " << name_of(status) << ", " << one_line(front(noted, 40)));
@@ -159,12 +159,12 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
       REQUIRE(odd.size() == 4);
       CHECK(odd[2].status == status);
       CHECK((odd[2].counted_by == CountedBy::suite) == asks);
-      for (const std::string& name : store.names_of_extras(stored)) CHECK(is_plain(name));
-      CHECK(store.names_of_extras(stored).empty() == noted.empty());
+      for (const std::string& name : store.extra_names(stored)) CHECK(is_plain(name));
+      CHECK(store.extra_names(stored).empty() == noted.empty());
       if (noted == "stalls")
         CHECK(odd[2].extras == std::map<std::string, double>{{noted, 2}});  // the last that it said
       std::vector<SolveRecord> made;
-      solve_study(study, 1, [&](SolveRecord solve) { made.push_back(std::move(solve)); });
+      solve_without_store(study, 1, [&](SolveRecord solve) { made.push_back(std::move(solve)); });
       if (noted.size() < 20) CHECK(same_numbers(only("mine", made), odd));  // longer ones are cut
       REQUIRE(progress.notes.size() == (told.empty() ? 0 : 1));
       if (!told.empty()) CHECK_THAT(progress.notes[0], StartsWith("mine: ") && ContainsSubstring(told));
@@ -178,7 +178,7 @@ TEST_CASE("of records with any odd number, every reader takes what may be writte
   Study study = study_of_faulty("pose");
   study.runs = 1000;
   Faulty::place = "";
-  const StoredStudy stored = stored_study(study);
+  const StoredStudy stored = to_stored(study);
   SolveRecord odd = solve_once(study, study.solvers.front(), targets(study, 1).front());
   odd.session = 1;
   const SolveRecord good = odd;
@@ -223,7 +223,7 @@ TEST_CASE("a solve that no reader would take ends the run with its place, and th
           "[own_solver]") {
   Study study = study_of_faulty("all_joints");
   study.solvers.front().solver = "newton";  // whose evaluations are always counted
-  const StoredStudy stored = stored_study(study);
+  const StoredStudy stored = to_stored(study);
   Faulty::place = "", Faulty::asks = false;
   ScratchStore store;
   const auto request = RunRequest{.patience = std::chrono::milliseconds(10'000)};

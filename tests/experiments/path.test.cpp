@@ -70,7 +70,7 @@ TEST_CASE("the Dobot's circle is level, its 20 points 18 degrees apart from the 
   for (std::size_t k = 0; k < 20; ++k) {
     const double t = 18 * pi / 180 * static_cast<double>(k);
     CHECK(near(circle[k].translation(), {0.16 + 0.07 * std::cos(t), 0.16 + 0.07 * std::sin(t), 0.0}));
-    CHECK(circle[k].linear() == rotation(Tool::down));
+    CHECK(circle[k].linear() == rotation(ToolOrientation::down));
   }
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("a circle has its own centre, radius, points and tool", "[path]") {
   REQUIRE(circle.size() == 4);
   CHECK(near(circle[1].translation(), {0.1, 0.3, 0.3}));
   CHECK(near(circle[2].translation(), {-0.4, -0.2, 0.3}));
-  CHECK(circle[3].linear() == rotation(Tool::eq27));
+  CHECK(circle[3].linear() == rotation(ToolOrientation::eq27));
 }
 
 TEST_CASE("random targets are tool poses of configurations within the limits, on every arm", "[path]") {
@@ -149,14 +149,14 @@ TEST_CASE("every kind of path has a name and words of its own", "[path]") {
 // ---- orientation --------------------------------------------------------------------------------------------------
 
 TEST_CASE("both tools are rotations, and every point of a path has its tool's", "[path][paper]") {
-  CHECK(rotation(Tool::down) == Eigen::Matrix3d(Eigen::Vector3d(-1, 1, -1).asDiagonal()));  // to the floor
-  CHECK(rotation_from_rpy({pi, 0, pi}).isApprox(rotation(Tool::down), 1e-15));
-  CHECK(rotation(Tool::eq27).col(2) == Eigen::Vector3d(0, 1, 0));  // level
-  for (const Tool tool : {Tool::down, Tool::eq27}) {
+  CHECK(rotation(ToolOrientation::down) == Eigen::Matrix3d(Eigen::Vector3d(-1, 1, -1).asDiagonal()));  // to the floor
+  CHECK(rotation_from_rpy({pi, 0, pi}).isApprox(rotation(ToolOrientation::down), 1e-15));
+  CHECK(rotation(ToolOrientation::eq27).col(2) == Eigen::Vector3d(0, 1, 0));  // level
+  for (const ToolOrientation tool : {ToolOrientation::down, ToolOrientation::eq27}) {
     const Eigen::Matrix3d R = rotation(tool);
     CHECK(R * R.transpose() == Eigen::Matrix3d::Identity());
     CHECK(R.determinant() == 1);
-    const std::string name = tool == Tool::down ? "down" : "eq27";
+    const std::string name = tool == ToolOrientation::down ? "down" : "eq27";
     for (const Pose& pose : poses_of(path_of({"tool=" + name}))) CHECK(pose.linear() == R);
   }
 }

@@ -22,7 +22,8 @@ double largest_distance_cm(const Path& path) {
 
 double largest_unreachable_cm(const Path& path) {
   double largest = 0;
-  for (const Unreachable& target : unreachable(with_path(path))) largest = std::max(largest, target.distance * 100);
+  for (const UnreachableTarget& target : unreachable(with_path(path)))
+    largest = std::max(largest, target.distance * 100);
   return largest;
 }
 
@@ -57,7 +58,7 @@ TEST_CASE("an unreachable target is named by its place on the path, with distanc
   Pose near = Pose::Identity(), far = Pose::Identity();
   near.translation() << 0.3, 0, 0.5;
   far.translation() << 1.0, 0, 0.486;  // wrist at (1.0, 0, 0.36): 1 m from the shoulder
-  const std::vector<Unreachable> found = unreachable(with_path(path_through({near, far, near})));
+  const std::vector<UnreachableTarget> found = unreachable(with_path(path_through({near, far, near})));
   REQUIRE(found.size() == 1);
   CHECK(found[0].point == 2);
   CHECK(found[0].distance == Approx(1.0));
@@ -72,7 +73,7 @@ TEST_CASE("searching all joints, for a position or a pose, the tool counts, with
   Study study = with_path(path_through({inside, outside}));
   for (const Search search : {Search::all_joints, Search::pose}) {
     study.search = search;
-    const std::vector<Unreachable> found = unreachable(study);
+    const std::vector<UnreachableTarget> found = unreachable(study);
     REQUIRE(found.size() == 1);
     CHECK(found[0].point == 2);
     CHECK(found[0].reach == Approx(0.946));

@@ -52,7 +52,7 @@ inline experiments::Path path_of(const std::vector<std::string>& settings) {
 }
 
 // A path of these poses, of any numbers.
-class PathThrough final : public experiments::PathKind {
+class PathThrough final : public experiments::TargetSet {
  public:
   explicit PathThrough(std::vector<robots::Pose> poses) : poses_(std::move(poses)) {}
   std::string_view name() const override { return "poses"; }
@@ -104,7 +104,7 @@ inline bool same_numbers(const std::vector<results::SolveRecord>& a, const std::
 }
 
 // The solves of a study that is run into a store of its own.
-inline std::vector<results::SolveRecord> solves_of(const experiments::Study& study, int jobs = 1) {
+inline std::vector<results::SolveRecord> planned_solve_count(const experiments::Study& study, int jobs = 1) {
   ScratchStore store;
   experiments::run(study, store, {.jobs = jobs});
   return store.solves(study.name);

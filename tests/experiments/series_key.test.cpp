@@ -149,7 +149,7 @@ TEST_CASE("a default that is written down is the same series", "[series]") {
   CHECK(key_of(written) == key_of(small_study()));
   CHECK(key_of(changed([](Study& study) { study.solvers[0].population = study.population; })) == key_of(small_study()));
   // The same for the solver's own default of bounds.
-  CHECK(key_of(changed([](Study& study) { study.bounds = StudyBounds::initial; })) == key_of(small_study()));
+  CHECK(key_of(changed([](Study& study) { study.bounds = BoundsPolicy::initial; })) == key_of(small_study()));
 }
 
 TEST_CASE("a solver's label, name and population decide the series, and the other solvers do not", "[series]") {
@@ -172,7 +172,7 @@ TEST_CASE("the study's population decides no series of a solver that has its own
 TEST_CASE("a series is the configuration and the source, each of 16 hexadecimal digits", "[series]") {
   const Study study = small_study();
   const std::string configuration = configuration_key(study, study.solvers.front()), key = key_of(study);
-  CHECK(configuration_of(key) == configuration);
+  CHECK(configuration_part(key) == configuration);
   CHECK(configuration.size() == 16);
   CHECK(key.size() == 33);
   CHECK((configuration + key.substr(17)).find_first_not_of("0123456789abcdef") == std::string::npos);
@@ -193,7 +193,7 @@ TEST_CASE("every solver has a source of its own, and a series says whose it is",
 
 TEST_CASE("the study's bounds reach every solver that has bounds, and trouble none that has not", "[series]") {
   Study study = small_study();
-  for (const auto& [bounds, name] : {std::pair{StudyBounds::clamp, "clamp"}, {StudyBounds::initial, "initial"}}) {
+  for (const auto& [bounds, name] : {std::pair{BoundsPolicy::clamp, "clamp"}, {BoundsPolicy::initial, "initial"}}) {
     study.bounds = bounds;
     for (const SolverInfo& info : all_solvers()) {
       INFO(info.name);
@@ -202,7 +202,7 @@ TEST_CASE("the study's bounds reach every solver that has bounds, and trouble no
       CHECK(options.size() == info.options({}).size());
     }
   }
-  study.bounds = StudyBounds::per_solver;
+  study.bounds = BoundsPolicy::per_solver;
   study.limits = Limits::enforced;
   for (const SolverInfo& info : all_solvers()) {
     const Settings options = effective_options(study, {"A", info.name, {}});

@@ -9,7 +9,7 @@ TEST_CASE("every part of a study is in one shard, and all solvers with it", "[sh
     study.start = is_chained ? Start::previous : Start::initial;
     for (const int count : {1, 2, 7, 40}) {
       std::int64_t solves = 0;
-      for (int index = 1; index <= count; ++index) solves += solves_of({index, count}, study);
+      for (int index = 1; index <= count; ++index) solves += planned_solve_count({index, count}, study);
       CHECK(solves == 5 * 3 * std::ssize(study.solvers));
       for (int run = 1; run <= 5; ++run) {
         for (int point = 1; point <= 3; ++point) {
@@ -27,12 +27,12 @@ TEST_CASE("every part of a study is in one shard, and all solvers with it", "[sh
 }
 
 TEST_CASE("a shard is written I/N", "[shard]") {
-  CHECK(shard_from("3/12").index == 3);
-  CHECK(shard_from("3/12").count == 12);
-  CHECK(shard_from("3/12").text() == "3/12");
+  CHECK(parse_shard("3/12").index == 3);
+  CHECK(parse_shard("3/12").count == 12);
+  CHECK(parse_shard("3/12").text() == "3/12");
   for (const char* wrong :
        {"", "/", "3", "3/", "/12", "0/12", "13/12", "-1/12", "3/12/1", "3 /12", "1/100001", "1/9999999999"})
-    CHECK_THROWS_AS(shard_from(wrong), std::invalid_argument);
+    CHECK_THROWS_AS(parse_shard(wrong), std::invalid_argument);
 }
 
 TEST_CASE("what shards solve is what one machine solves, where points are divided too", "[shard][runner]") {
@@ -44,9 +44,9 @@ TEST_CASE("what shards solve is what one machine solves, where points are divide
     for (const int index : {3, 1, 2}) {
       const Progress progress = run(study, store, {.shard = {index, 3}});
       CHECK(progress.done == progress.total);
-      CHECK(store.number_of_solves(store.study(study.name)) == (solved += progress.total));
+      CHECK(store.solve_count(store.study(study.name)) == (solved += progress.total));
     }
     CHECK(run(study, store, {}).reused == 24);
-    CHECK(same_numbers(store.solves(study.name), solves_of(study)));
+    CHECK(same_numbers(store.solves(study.name), planned_solve_count(study)));
   }
 }

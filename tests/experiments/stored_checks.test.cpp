@@ -27,9 +27,9 @@ TEST_CASE("the solves of a study as they are made follow from their answers", "[
     INFO(robot);
     Study study = study_with(robot);
     study.search = search;
-    CHECK(refused_row(stored_study(study), solves_of(study)) == "");
+    CHECK(refused_row(to_stored(study), planned_solve_count(study)) == "");
   }
-  CHECK(refused_row(stored_study(small_study()), solves_of(small_study())) == "");  // by the wrist
+  CHECK(refused_row(to_stored(small_study()), planned_solve_count(small_study())) == "");  // by the wrist
 }
 
 TEST_CASE("an arm from a URDF file, verified by its origins and axes, is checked by its table", "[recheck]") {
@@ -37,10 +37,10 @@ TEST_CASE("an arm from a URDF file, verified by its origins and axes, is checked
     Study study = study_with("ur5");
     study.robot_of_file = std::make_shared<const robots::Robot>(robots::load_robot(file));
     study.robot = file;
-    std::vector<SolveRecord> solves = solves_of(study);
-    CHECK(refused_row(stored_study(study), solves) == "");
+    std::vector<SolveRecord> solves = planned_solve_count(study);
+    CHECK(refused_row(to_stored(study), solves) == "");
     solves.back().position_error_cm += 1e-3;
-    CHECK_THAT(refused_row(stored_study(study), solves), ContainsSubstring("position_error_cm"));
+    CHECK_THAT(refused_row(to_stored(study), solves), ContainsSubstring("position_error_cm"));
   }
 }
 
@@ -48,7 +48,7 @@ TEST_CASE("an answer far beyond a slide's way follows from itself", "[recheck]")
   const robots::Robot arm = robots::load_robot("tests/data/arms/slides.urdf");
   Study study = study_with("planar_2");
   study.robot_of_file = std::make_shared<const robots::Robot>(arm);
-  SolveRecord far = solves_of(study).front();
+  SolveRecord far = planned_solve_count(study).front();
   far.answer_rad = {1e12, 1e12};
   far.status = Status::limit_violated;
   const auto vector = [](const std::vector<double>& of) { return Eigen::VectorXd::Map(of.data(), std::ssize(of)); };
@@ -59,25 +59,25 @@ TEST_CASE("an answer far beyond a slide's way follows from itself", "[recheck]")
   far.position_error_cm = far.claimed_error_cm = of.position_error / centimetre;
   far.variation_m = of.variation_m;
   far.limit_violation_m = of.limit_violation_m;
-  CHECK(refused_row(stored_study(study), {far}) == "");
+  CHECK(refused_row(to_stored(study), {far}) == "");
 }
 
 TEST_CASE("a target missed by less than the rounding of a check is missed", "[recheck]") {
   Study study = study_with("kuka_iiwa14");
   study.stop.tolerance = 1e-9;
-  SolveRecord near = solves_of(study).front();
+  SolveRecord near = planned_solve_count(study).front();
   near.target_position_m = near.reached_position_m;
   near.target_position_m[0] += 5e-9;
   near.position_error_cm = near.claimed_error_cm = 5e-7;
   for (const Status status : {Status::ok, Status::tolerance_missed}) {
     near.status = status;
-    CHECK(refused_row(stored_study(study), {near}) == "");
+    CHECK(refused_row(to_stored(study), {near}) == "");
   }
 }
 
 TEST_CASE("an error that does not follow from its answer is refused, with the place of the solve", "[recheck]") {
   const Study study = study_with("stanford");
-  const std::vector<SolveRecord> good = solves_of(study);
+  const std::vector<SolveRecord> good = planned_solve_count(study);
   const std::vector<std::pair<std::string, std::function<void(SolveRecord&)>>> changes{
       {"position_error_cm is -1, which no solve has", [](SolveRecord& solve) { solve.position_error_cm = -1; }},
       {"position_error_cm", [](SolveRecord& solve) { solve.position_error_cm *= 1.0001; }},
@@ -118,7 +118,7 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
   for (const auto& [what, change] : changes) {
     std::vector<SolveRecord> solves = good;
     change(solves[4]);
-    CHECK_THAT(refused_row(stored_study(study), solves),
+    CHECK_THAT(refused_row(to_stored(study), solves),
                ContainsSubstring(fmt::format("study {}, {}, run {}, point {}: ", study.name, solves[4].label,
                                              solves[4].run, solves[4].point)) &&
                    ContainsSubstring(what));
@@ -128,8 +128,8 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
 TEST_CASE("a solve of a program that kept its budget has not spent 1.5 times as much", "[recheck]") {
   Study study = study_with("stanford");
   study.stop.evaluations = 1000;
-  StoredStudy entry = stored_study(study);
-  SolveRecord solve = solves_of(study).front();
+  StoredStudy entry = to_stored(study);
+  SolveRecord solve = planned_solve_count(study).front();
   REQUIRE(is_in_order(solve.status));
   solve.counted_by = CountedBy::solver;
   solve.evaluations = 1500;
@@ -143,10 +143,10 @@ TEST_CASE("a solve of a program that kept its budget has not spent 1.5 times as 
 
 TEST_CASE("an answer that reached has the numbers of the study's check, and an invalid one a fault", "[recheck]") {
   const Study study = study_with("stanford");
-  StoredStudy entry = stored_study(study);
+  StoredStudy entry = to_stored(study);
   entry.definition.check.process = {"./check"};
   entry.definition.check.larger = {"free"};
-  SolveRecord solve = solves_of(study).front();
+  SolveRecord solve = planned_solve_count(study).front();
   const std::string number = fmt::format("{}free", check_extra), fault = fmt::format("{}near", invalid_extra);
   const auto is_refused = [&](Status status, const std::map<std::string, double>& extras) {
     solve.status = status, solve.extras = extras;
@@ -164,7 +164,7 @@ TEST_CASE("an arm that cannot be read is refused", "[recheck]") {
   for (const char* definition : {"{\"robot\": \"none\"}", "{\"arm\": {\"links\": [[[[[[1]]]]]]}}",
                                  R"({"arm": {"links": [{"a = 1\n[links]\nb": 2}]}})"}) {
     INFO(definition);
-    CHECK_THAT(refused_row({.name = "small", .definition = definition_of(definition), .series = {}}, {}),
+    CHECK_THAT(refused_row({.name = "small", .definition = parse_definition(definition), .series = {}}, {}),
                ContainsSubstring("study small: its stored arm cannot be read"));
   }
 }
@@ -175,15 +175,15 @@ TEST_CASE("solves are made again from the store alone, and another bit or count 
   study.robot_of_file = std::make_shared<const robots::Robot>(robots::load_robot("tests/data/urdf/panda.urdf"));
   study.robot = "tests/data/urdf/panda.urdf";
   study.initial = robots::Configuration::Zero(7);
-  StoredStudy entry = stored_study(study);
-  const std::vector<SolveRecord> solves = solves_of(study);
+  StoredStudy entry = to_stored(study);
+  const std::vector<SolveRecord> solves = planned_solve_count(study);
   const auto found_in = [&](const char* name, const std::vector<SolveRecord>& rows) {
     Store store(folder.path / name, Store::Mode::write);
     store.save_study(entry);
     store.append(rows);
     return solve_again(store, entry, 1000);
   };
-  const SolvedAgain found = found_in("as_made", solves);
+  const RerunReport found = found_in("as_made", solves);
   CHECK(found.of == std::ssize(solves));
   CHECK(found.solves == found.of);
   for (const std::string what : {"evaluations", "restarts", "another answer"}) {

@@ -145,7 +145,7 @@ TEST_CASE("a pose may say its turn as roll, pitch and yaw, as a matrix, or not a
                    solver_entry),
               1);
   REQUIRE(poses.size() == 3);
-  CHECK(poses[0].linear().isApprox(rotation(Tool::down), 1e-15));
+  CHECK(poses[0].linear().isApprox(rotation(ToolOrientation::down), 1e-15));
   CHECK(poses[0].translation().isApprox(Eigen::Vector3d(0.60, 0, 0.35), 1e-15));
   CHECK(poses[1].linear().col(0) == Eigen::Vector3d(0, 1, 0));  // row by row: x becomes y
   CHECK(poses[2].linear() == Eigen::Matrix3d::Identity());
@@ -266,21 +266,22 @@ TEST_CASE("a study's arm may be a URDF file, read as its table urdf says", "[stu
 TEST_CASE("a study says how it will be judged, by default by ranks at 5 %, the paper's studies by means",
           "[study][analysis]") {
   const Study study = read(solver_entry);
-  CHECK(study.plan == Plan());
+  CHECK(study.plan == AnalysisPlan());
   CHECK(nlohmann::json::parse(to_json(study))["analysis"] ==
         nlohmann::json::parse(R"({"test": "ranks", "values": "runs", "metric": "", "control": "", "significance": 0.05,
           "margin_percent": 5.0, "deadline_ms": 0.0, "then": ["time", "evaluations"]})"));
   for (const Study& built_in : studies()) {
     INFO(built_in.name);
-    CHECK(built_in.plan ==
-          (built_in.name.starts_with("slim2023") ? Plan{.test = Plan::Test::means, .then = {}} : Plan()));
+    CHECK(built_in.plan == (built_in.name.starts_with("slim2023")
+                                ? AnalysisPlan{.test = AnalysisPlan::Test::means, .then = {}}
+                                : AnalysisPlan()));
     CHECK(contains(to_toml(built_in), "\n[analysis]"));
   }
 }
 
 TEST_CASE("--set changes the table of the analysis as it does other fields", "[study][analysis]") {
   const Study study = read(solver_entry + "label = \"A\"\n", {"analysis.significance=0.01", "analysis.control=A"});
-  CHECK(study.plan == Plan{.control = "A", .significance = 0.01});
+  CHECK(study.plan == AnalysisPlan{.control = "A", .significance = 0.01});
 }
 
 // ---- mistakes -----------------------------------------------------------------------------------------------------
@@ -409,7 +410,7 @@ TEST_CASE("an override sets a field of the study, of its path or of its stop rul
   const Study study = load_study("slim2023", {"runs=5", "path.tool=eq27", "path.points=7", "stop.tolerance_cm=0.1",
                                               "search=\"all_joints\"", "initial_deg=[1, 2, 3, 4, 5, 6, 7]"});
   CHECK(study.runs == 5);
-  CHECK(targets(study, 1)[0].linear() == rotation(Tool::eq27));
+  CHECK(targets(study, 1)[0].linear() == rotation(ToolOrientation::eq27));
   CHECK(study.path->points() == 7);
   CHECK(study.stop.tolerance == Approx(0.001));
   CHECK(study.search == Search::all_joints);

@@ -53,7 +53,7 @@ TEST_CASE("messages of a program with random changes are understood, or broke th
       {R"({"message": "hello", "ikbench": 2, "name": "mine", "version": "1.5", "goals": ["pose", "axis"], "options": [)"
        R"({"name": "a", "default": 0.5, "low": 0, "high": 3, "meaning": "m"}, {"name": "b", "type": "integer", )"
        R"("default": 3}, {"name": "c", "choices": ["x", "y"], "default": "y"}]})",
-       [](const Message& message) { options_of(message.hello(), {}); }},
+       [](const Message& message) { resolved_options(message.hello(), {}); }},
       {R"({"message": "evaluate", "candidates": [[0.1, -0.2, 3.5], [1, 2e-3, 0]]})",
        [](const Message& message) { message.candidates(3); }},
       {R"({"message": "solved", "q": [0.1, 0.25, null], "error": 1e-6, "seconds": 0.002, "iterations": 12, )"
@@ -68,7 +68,7 @@ TEST_CASE("messages of a program with random changes are understood, or broke th
     read_mutated(Mutator(9), each.first, 700, "it wrote ", [&](const std::string& line) {
       try {
         each.second(Message(line));
-      } catch (const Trouble& trouble) {
+      } catch (const ProcessFailure& trouble) {
         throw std::invalid_argument(trouble.why);
       }
     });

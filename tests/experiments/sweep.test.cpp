@@ -79,13 +79,13 @@ TEST_CASE("a label that is kept may have commas", "[sweep]") {
   text.replace(text.find("\"BA\""), 4, "\"IK-BA, twice\"");
   for (const SweptLabels& lists : {SweptLabels{"IK-BA, twice,IK-BA"}, {"IK-BA", "IK-BA, twice"}}) {
     Study both = read(text);
-    keep_only(both, lists);
+    select_solvers(both, lists);
     CHECK(both.solvers.size() == 2);
   }
   Study one = read(text);
-  keep_only(one, {"IK-BA, twice"});
+  select_solvers(one, {"IK-BA, twice"});
   CHECK(labels_of(one) == SweptLabels{"IK-BA, twice"});
-  CHECK(contains(complaint<std::invalid_argument>([&] { keep_only(one, {"IK-BA, twice, IK-BA"}); }),
+  CHECK(contains(complaint<std::invalid_argument>([&] { select_solvers(one, {"IK-BA, twice, IK-BA"}); }),
                  "unknown label \" IK-BA\""));
 }
 
@@ -97,7 +97,7 @@ TEST_CASE("what is no label may be one in other cases of letters, or name a solv
         "[[solvers]]\nlabel = \"Mine\"\nsolver = \"damped_least_squares\"\n"
         "[[solvers]]\nlabel = \"Mine too\"\nsolver = \"damped_least_squares\"\n",
         "study.toml");
-    keep_only(study, lists);
+    select_solvers(study, lists);
     return labels_of(study);
   };
   CHECK(kept({"MINE"}) == SweptLabels{"Mine"});
@@ -116,14 +116,14 @@ TEST_CASE("a control that is swept or left out is none, which is told", "[sweep]
   Study split = read(controlled, {sweep_override("BA.alpha=0.5,0.9")}), whole = read(controlled);
   CHECK(split.plan.control.empty());
   CHECK(split.notes.size() == 1);
-  keep_only(split, {"BA"});
+  select_solvers(split, {"BA"});
   CHECK(split.figures.solvers.empty());
   CHECK(labels_of(split) == SweptLabels{"BA alpha=0.5", "BA alpha=0.9"});
-  keep_only(whole, {"BA,IK-BA"});
+  select_solvers(whole, {"BA,IK-BA"});
   CHECK(whole.plan.control == "BA");
   CHECK(whole.notes.empty());
-  CHECK(contains(complaint<std::invalid_argument>([&] { keep_only(whole, {"AB"}); }), "unknown label \"AB\""));
-  keep_only(whole, {"IK-BA"});
+  CHECK(contains(complaint<std::invalid_argument>([&] { select_solvers(whole, {"AB"}); }), "unknown label \"AB\""));
+  select_solvers(whole, {"IK-BA"});
   CHECK(labels_of(whole) == SweptLabels{"IK-BA"});
   CHECK(whole.plan.control.empty());
   CHECK(contains(statements_of(two_bats + "[analysis]\ncontrol = \"AB\"\n"), "unknown label \"AB\""));

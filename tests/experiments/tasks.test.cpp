@@ -169,14 +169,14 @@ TEST_CASE("every solver starts where the study says, run after run and from a st
         "ur5e", "start = \"" + start +
                     "\"\npopulation = 4\nruns = 2\n[stop]\niterations = 3\n[path]\nkind = \"random\"\npoints = 3");
     study.solvers.push_back({"other", "particle_swarm", {}});
-    for (const SolveRecord& solve : solves_of(study)) {
+    for (const SolveRecord& solve : planned_solve_count(study)) {
       const Configuration expected =
           start == "initial" ? Configuration(study.initial)
                              : starts(study, arm_of(study), solve.run)[static_cast<std::size_t>(solve.point - 1)];
       CHECK(std::ranges::equal(solve.start_rad, expected));
     }
     ScratchStore store;
-    const std::vector<SolveRecord> whole = solves_of(study);
+    const std::vector<SolveRecord> whole = planned_solve_count(study);
     study.runs = 1;
     run(study, store, {});
     study.runs = 2;

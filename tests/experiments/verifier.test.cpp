@@ -7,7 +7,7 @@ using std::numbers::pi;
 
 Pose place(double x, double y, double z) { return Pose(Eigen::Translation3d(x, y, z)); }
 
-constexpr Requirement any{.claimed_error = 0};
+constexpr AcceptanceCriteria any{.claimed_error = 0};
 
 }  // namespace
 
@@ -49,7 +49,7 @@ TEST_CASE("an arm from a URDF file is verified by its origins and axes, not by t
 
 TEST_CASE("the position error is the Euclidean distance", "[verifier][paper]") {
   // The tool is at (1, 0, 0); the target 0.3 m, 0.4 m, 1.2 m off: 1.3 m away (Eq. 1).
-  const Verification verified = verify(robot("planar_2"), place(1.3, 0.4, -1.2), vector_of({0, 0}), vector_of({0, 0}));
+  const Verification verified = verify(robot("planar_2"), place(1.3, 0.4, -1.2), to_eigen({0, 0}), to_eigen({0, 0}));
   CHECK(verified.position_error == Approx(1.3));
 }
 
@@ -58,7 +58,7 @@ TEST_CASE("the orientation error is ||R - Rd|| / ||Rd||", "[verifier][paper]") {
   const auto error_at = [](double theta) {
     Pose target = place(1, 0, 0);
     target.linear() = Eigen::AngleAxisd(theta, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    return verify(robot("planar_2"), target, vector_of({0, 0}), vector_of({0, 0})).orientation_error;
+    return verify(robot("planar_2"), target, to_eigen({0, 0}), to_eigen({0, 0})).orientation_error;
   };
   CHECK(error_at(0) == Approx(0).margin(1e-15));
   CHECK(error_at(pi / 2) == Approx(2 / std::sqrt(3.0)));  // sqrt(4/3)
@@ -68,22 +68,22 @@ TEST_CASE("the orientation error is ||R - Rd|| / ||Rd||", "[verifier][paper]") {
 
 TEST_CASE("the variation is the norm of the joint moves over all joints, the largest move that of one",
           "[verifier][paper]") {
-  const Eigen::VectorXd start = vector_of({0.1, 0.2, 0.3});
-  const Verification verified = verify(robot("planar_3"), place(0, 0, 0), start, start + vector_of({0.3, -0.4, 1.2}));
+  const Eigen::VectorXd start = to_eigen({0.1, 0.2, 0.3});
+  const Verification verified = verify(robot("planar_3"), place(0, 0, 0), start, start + to_eigen({0.3, -0.4, 1.2}));
   CHECK(verified.variation == Approx(1.3));  // Eq. 12: sqrt(0.09 + 0.16 + 1.44)
   CHECK(verified.largest_move == Approx(1.2));
   const Verification of_two =
-      verify(robot("planar_3"), place(0, 0, 0), start, start + vector_of({0.3, -0.4, 1.2}), false, 2);
+      verify(robot("planar_3"), place(0, 0, 0), start, start + to_eigen({0.3, -0.4, 1.2}), false, 2);
   CHECK(of_two.variation == Approx(0.5));
   CHECK(of_two.largest_move == Approx(1.2));  // of all joints
-  CHECK(verify(robot("planar_3"), place(0, 0, 0), start, start + vector_of({0.3, -0.4, 0.2})).largest_move ==
+  CHECK(verify(robot("planar_3"), place(0, 0, 0), start, start + to_eigen({0.3, -0.4, 0.2})).largest_move ==
         Approx(0.4));  // a move down is a move
 }
 
 TEST_CASE("metres of joints that slide and radians of those that turn are never added", "[verifier]") {
   const Robot arm = robot("stanford");  // its third joint slides, from 0.3048 to 1.27 m
-  const Eigen::VectorXd start = vector_of({0, 0, 0.5, 0, 0, 0});
-  const Verification verified = verify(arm, place(0, 0, 0), start, start + vector_of({0.3, 0, 0.8, 0, -0.4, 0}));
+  const Eigen::VectorXd start = to_eigen({0, 0, 0.5, 0, 0, 0});
+  const Verification verified = verify(arm, place(0, 0, 0), start, start + to_eigen({0.3, 0, 0.8, 0, -0.4, 0}));
   CHECK(verified.variation == Approx(0.5));
   CHECK(verified.variation_m == Approx(0.8));
   CHECK(verified.largest_move == Approx(0.4));
@@ -104,7 +104,7 @@ TEST_CASE("a joint without limits violates none, however far it turns, unless it
 TEST_CASE("the limit violation is that of the worst joint, on either side", "[verifier]") {
   const double degree = pi / 180;  // limits of the iiwa: 170, 120, 170, 120, 170, 120, 175 deg, Table 2
   const auto violation_deg = [&](std::initializer_list<double> degrees) {
-    const Eigen::VectorXd q = vector_of(degrees) * degree;
+    const Eigen::VectorXd q = to_eigen(degrees) * degree;
     return verify(robot("kuka_iiwa14"), place(0, 0, 0), Eigen::VectorXd::Zero(7), q).limit_violation / degree;
   };
   CHECK(violation_deg({170, -120, 170, -120, 170, -120, 175}) == Approx(0).margin(1e-12));
@@ -130,7 +130,7 @@ TEST_CASE("an answer that is not finite gives errors that are not finite", "[ver
 
 TEST_CASE("a joint outside its limits by more than rounding is a violation", "[verifier]") {
   const auto violated = [](double outside) {  // the limits of planar_2 are +-180 deg
-    return verify(robot("planar_2"), place(0, 0, 0), vector_of({0, 0}), vector_of({0, pi + outside})).limit_violation;
+    return verify(robot("planar_2"), place(0, 0, 0), to_eigen({0, 0}), to_eigen({0, pi + outside})).limit_violation;
   };
   CHECK(violated(2e-9) == Approx(2e-9));
   CHECK(violated(0.5e-9) == 0);
@@ -140,7 +140,7 @@ TEST_CASE("a joint outside its limits by more than rounding is a violation", "[v
 
 TEST_CASE("the angle between a target and the tool is that by which the one is turned from the other", "[verifier]") {
   const Robot arm = robot("ur5e");
-  const Eigen::VectorXd q = vector_of({0.1, -0.2, 0.3, -0.4, 0.5, -0.6});
+  const Eigen::VectorXd q = to_eigen({0.1, -0.2, 0.3, -0.4, 0.5, -0.6});
   for (const double angle : {0.0, 1e-9, 1e-3, 0.5, pi / 2, 3.0, pi}) {
     Pose target = arm.chain.forward(q);
     target.rotate(Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, -3).normalized()));
@@ -166,11 +166,11 @@ TEST_CASE("where squares are added, both shares of the tolerances are within a c
 TEST_CASE("a status is the most severe of what is wrong by more than rounding", "[verifier]") {
   struct Case {
     Verification verified;
-    Requirement required;
+    AcceptanceCriteria required;
     Status status;
   };
-  constexpr Requirement enforced{.claimed_error = 0, .limits_are_enforced = true};
-  constexpr Requirement claimed{.claimed_error = 1, .stop = {.tolerance = 0.1}};
+  constexpr AcceptanceCriteria enforced{.claimed_error = 0, .limits_are_enforced = true};
+  constexpr AcceptanceCriteria claimed{.claimed_error = 1, .stop = {.tolerance = 0.1}};
   const std::vector<Case> cases{
       {{.position_error = 0.01}, {.claimed_error = 0.01, .stop = {.tolerance = 0.009}}, Status::tolerance_missed},
       {{.position_error = 0.01}, {.claimed_error = 0.01, .stop = {.tolerance = 0.01 - 0.5e-9}}, Status::ok},
@@ -206,16 +206,16 @@ TEST_CASE("a status is the most severe of what is wrong by more than rounding", 
 TEST_CASE("what is claimed of a pose or an axis has to hold of its position and of its orientation", "[verifier]") {
   const bool is_axis = GENERATE(false, true);
   const Robot arm = robot("ur5e");
-  const Eigen::VectorXd q = vector_of({0.1, -0.2, 0.3, -0.4, 0.5, -0.6});
+  const Eigen::VectorXd q = to_eigen({0.1, -0.2, 0.3, -0.4, 0.5, -0.6});
   Pose target = arm.chain.forward(q);
   target.rotate(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX()));
   target.translation() += Eigen::Vector3d(0.03, 0, 0.04);
   const Verification verified = verify(arm, target, q, q, is_axis);
   Eigen::VectorXd error(1);
   arm.chain.pose_errors(q, target, 0.3, error, is_axis);
-  const Requirement honest{.claimed_error = 0.05, .claimed_pose_error = error[0], .rotation_weight = 0.3};
+  const AcceptanceCriteria honest{.claimed_error = 0.05, .claimed_pose_error = error[0], .rotation_weight = 0.3};
   CHECK(status_by(verified, honest) == Status::ok);
-  Requirement wrong = honest;
+  AcceptanceCriteria wrong = honest;
   wrong.claimed_pose_error += 1e-8;
   CHECK(status_by(verified, wrong) == Status::claimed_but_wrong);
   wrong.claimed_pose_error = not_a_number;

@@ -7,12 +7,13 @@ TEST_CASE("work is shared out once each, side by side, and one job is done by th
     std::vector<int> done(7);
     std::atomic<std::size_t> here{0};
     std::atomic<bool> is_right{true};
-    share_out(done.size(), static_cast<int>(jobs), nullptr, [&](std::size_t i, std::size_t worker, const IsOver&) {
-      is_right = is_right && worker < jobs && (jobs > 1 || std::this_thread::get_id() == caller);
-      ++here;
-      while (here < jobs) std::this_thread::yield();  // endless if they worked one after the other
-      ++done[i];
-    });
+    parallel_for(done.size(), static_cast<int>(jobs), nullptr,
+                 [&](std::size_t i, std::size_t worker, const StopRequested&) {
+                   is_right = is_right && worker < jobs && (jobs > 1 || std::this_thread::get_id() == caller);
+                   ++here;
+                   while (here < jobs) std::this_thread::yield();  // endless if they worked one after the other
+                   ++done[i];
+                 });
     CHECK(done == std::vector<int>(7, 1));
     CHECK(is_right);
   }
@@ -21,14 +22,14 @@ TEST_CASE("work is shared out once each, side by side, and one job is done by th
 TEST_CASE("workers stop once one throws, which is rethrown, or the user cancels", "[workers]") {
   for (const int jobs : {1, 3}) {
     std::atomic<int> calls{0};
-    const auto fail = [&](std::size_t, std::size_t, const IsOver& is_over) {
+    const auto fail = [&](std::size_t, std::size_t, const StopRequested& is_over) {
       if (++calls == 1) throw std::runtime_error("no space");
       while (!is_over()) std::this_thread::yield();
     };
-    CHECK(complaint<std::runtime_error>([&] { share_out(100, jobs, nullptr, fail); }) == "no space");
+    CHECK(complaint<std::runtime_error>([&] { parallel_for(100, jobs, nullptr, fail); }) == "no space");
     CHECK(calls <= jobs);
     const std::atomic<bool> cancelled{true};
-    CHECK_NOTHROW(share_out(100, jobs, &cancelled, fail));
+    CHECK_NOTHROW(parallel_for(100, jobs, &cancelled, fail));
     CHECK(calls <= jobs);
   }
 }

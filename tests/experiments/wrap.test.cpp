@@ -6,7 +6,7 @@ namespace {
 constexpr double turn = 2 * std::numbers::pi;
 
 // Newton without limits: near singular configurations it takes joints far around.
-Study study_without_limits(Wrap wrap) {
+Study study_without_limits(WrapPolicy wrap) {
   Study study = small_study();
   study.path = path_of({"kind=random", "points=40"});
   study.search = Search::all_joints;
@@ -31,8 +31,8 @@ TEST_CASE("an angle outside the limits comes back by the fewest whole turns, if 
 }
 
 TEST_CASE("wrapped answers differ by whole turns, reach the same and are outside the limits less often", "[wrap]") {
-  const std::vector<SolveRecord> plain = solves_of(study_without_limits(Wrap::no)),
-                                 wrapped = solves_of(study_without_limits(Wrap::into_limits));
+  const std::vector<SolveRecord> plain = planned_solve_count(study_without_limits(WrapPolicy::no)),
+                                 wrapped = planned_solve_count(study_without_limits(WrapPolicy::into_limits));
   REQUIRE(plain.size() == wrapped.size());
   int outside = 0, outside_wrapped = 0, turned = 0;
   for (std::size_t i = 0; i < plain.size(); ++i) {
@@ -53,12 +53,12 @@ TEST_CASE("wrapped answers differ by whole turns, reach the same and are outside
 
 TEST_CASE("the nearest answers differ by whole turns, move no farther, and no turn inside the limits is nearer",
           "[wrap]") {
-  Study study = study_without_limits(Wrap::into_limits);
+  Study study = study_without_limits(WrapPolicy::into_limits);
   study.robot = "ur5e";  // two turns for each joint
   study.initial = Eigen::VectorXd::Zero(6);
-  const std::vector<SolveRecord> wrapped = solves_of(study);
-  study.wrap = Wrap::nearest;
-  const std::vector<SolveRecord> nearest = solves_of(study);
+  const std::vector<SolveRecord> wrapped = planned_solve_count(study);
+  study.wrap = WrapPolicy::nearest;
+  const std::vector<SolveRecord> nearest = planned_solve_count(study);
   const JointLimits limits = robot("ur5e").limits;
   int nearer = 0;
   for (std::size_t i = 0; i < nearest.size(); ++i) {
@@ -81,7 +81,7 @@ TEST_CASE("where the whole pose is searched, answers are turned to the nearest, 
   const auto wrap_of = [](const std::string& search) {
     return read("robot = 'ur5e'\n" + search + "path.kind = 'random'\nsolvers = [{ solver = 'newton' }]\n").wrap;
   };
-  CHECK(wrap_of("search = 'pose'\n") == Wrap::nearest);
-  CHECK(wrap_of("search = 'pose'\nwrap = 'no'\n") == Wrap::no);
+  CHECK(wrap_of("search = 'pose'\n") == WrapPolicy::nearest);
+  CHECK(wrap_of("search = 'pose'\nwrap = 'no'\n") == WrapPolicy::no);
   CHECK(wrap_of("search = 'axis'\n") == Study().wrap);
 }

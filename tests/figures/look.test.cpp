@@ -58,8 +58,8 @@ double distance(std::string_view a, std::string_view b) {
 TEST_CASE("a built-in solver has one colour in every study, whatever its label and place", "[figure]") {
   const std::vector<Series> alone{{"", "IK-BA", "ik_bat"}},
       last{{"", "x", "x"}, {"", "DE", "differential_evolution"}, {"", "bats", "ik_bat"}};
-  CHECK(colour_in(alone, "IK-BA") == own_palette[0]);
-  CHECK(colour_in(last, "bats") == own_palette[0]);
+  CHECK(colour_in(alone, "IK-BA") == default_palette[0]);
+  CHECK(colour_in(last, "bats") == default_palette[0]);
   for (const std::string name : {"bat", "particle_swarm", "damped_least_squares", "newton", "kdl_newton", "nlopt"}) {
     CAPTURE(name);
     const std::vector<Series> first{{"", "a", name}}, second{{"", "b", "unknown"}, {"", "c", name}};
@@ -131,7 +131,7 @@ TEST_CASE("every series has a contrast of at least 3 on paper", "[figure]") {
   CHECK(contrast("#FFFFFF", "#000000") == Approx(21));
   CHECK(contrast("#777777", "#FFFFFF") == Approx(4.48).margin(0.005));  // WebAIM's contrast checker
   CHECK(contrast("#E69F00", "#FFFFFF") < 3);                            // what was too pale
-  for (const std::string& colour : own_palette) CHECK(contrast(colour, "#FFFFFF") >= 3);
+  for (const std::string& colour : default_palette) CHECK(contrast(colour, "#FFFFFF") >= 3);
 }
 
 TEST_CASE("any two series are farther apart than two blues were that readers took for one", "[figure]") {
@@ -139,11 +139,11 @@ TEST_CASE("any two series are farther apart than two blues were that readers too
   CHECK(lab("#FF0000")[1] == Approx(80.09).margin(0.01));
   CHECK(lab("#FF0000")[2] == Approx(67.20).margin(0.01));
   CHECK(distance("#0E65B8", "#3793CD") == Approx(25.8).margin(0.01));
-  for (std::size_t i = 0; i < own_palette.size(); ++i) {
+  for (std::size_t i = 0; i < default_palette.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      CAPTURE(own_palette[i], own_palette[j]);
-      CHECK(distance(own_palette[i], own_palette[j]) > 30);
-      CHECK(std::abs(lab(own_palette[i])[0] - lab(own_palette[j])[0]) > 7.5);  // greys of a printed copy
+      CAPTURE(default_palette[i], default_palette[j]);
+      CHECK(distance(default_palette[i], default_palette[j]) > 30);
+      CHECK(std::abs(lab(default_palette[i])[0] - lab(default_palette[j])[0]) > 7.5);  // greys of a printed copy
     }
   }
 }

@@ -151,7 +151,9 @@ TEST_CASE("mean ranks are those of the blocks, with a critical difference where 
     solvers.push_back({.label = of.groups.back().name, .algorithm = "x"});
   }
   const Look look = look_of(solvers, {});
-  const auto ranked = [&](const Plan& plan) { return ranks_of(judge::judge(of, plan), {"A", "B", "C", "D"}, look); };
+  const auto ranked = [&](const AnalysisPlan& plan) {
+    return ranks_of(judge::judge(of, plan), {"A", "B", "C", "D"}, look);
+  };
   const Figure figure = ranked({}).value();
   CHECK(contains(figure.data, "# A\n1 1 "));  // the first in each block; of B, C and D every fourth is turned
   CHECK(contains(figure.data, "# D\n2 2.5 "));
@@ -159,7 +161,7 @@ TEST_CASE("mean ranks are those of the blocks, with a critical difference where 
   CHECK(contains(figure.settings, "CD 1.05"));  // 2.569 sqrt(4 * 5 / (6 * 20))
   CHECK(contains(figure.caption, "critical difference"));
   CHECK_FALSE(contains(ranked({.significance = 0.01})->caption, "critical"));
-  CHECK_FALSE(ranked({.test = Plan::Test::means}));
+  CHECK_FALSE(ranked({.test = AnalysisPlan::Test::means}));
   CHECK_FALSE(ranked({.control = "A"}));
   of.is_paired = false;
   const std::string unpaired = ranked({})->caption;

@@ -20,7 +20,7 @@ MetricSamples paired(MetricSamples of) {
   return of;
 }
 
-const Plan by_ranks{}, by_means{.test = Plan::Test::means};
+const AnalysisPlan by_ranks{}, by_means{.test = AnalysisPlan::Test::means};
 
 std::vector<double> ramp(int n, double from, double step) {
   std::vector<double> values;
@@ -177,7 +177,7 @@ TEST_CASE("few constant values are not the same because they have no spread", "[
 }
 
 TEST_CASE("a constant ratio within the margin is no plain better", "[compare]") {
-  for (const Plan& plan : {by_ranks, by_means}) {
+  for (const AnalysisPlan& plan : {by_ranks, by_means}) {
     for (const bool is_paired : {false, true}) {
       for (const double ratio : {1.01, 1.0505}) {
         MetricSamples of = groups_of({std::vector<double>(20, 1.0), std::vector<double>(20, ratio)});
@@ -195,7 +195,7 @@ TEST_CASE("a constant ratio within the margin is no plain better", "[compare]") 
 
 TEST_CASE("an absolute margin holds for ranks and for means, of differences and of ratios", "[compare]") {
   const Lists negative{ramp(20, -5.1, 0.01), ramp(20, -5.15, 0.01)};
-  for (const Plan::Test test : {Plan::Test::ranks, Plan::Test::means}) {
+  for (const AnalysisPlan::Test test : {AnalysisPlan::Test::ranks, AnalysisPlan::Test::means}) {
     const auto within = [&](double margin, const Lists& lists, EffectScale scale, double relative = 0) {
       MetricSamples of = groups_of(lists, scale);
       of.absolute_margin = margin;
@@ -290,7 +290,7 @@ TEST_CASE("published summaries are judged by Welch's t, of differences", "[compa
                {.name = "BA", .sample = SummaryStatistics{20, 1.6849, 0.9069}},
                {.name = "DE", .sample = SummaryStatistics{20, 0.3653, 0.2929}},
                {.name = "K-ABC", .sample = SummaryStatistics{20, 0.2318, 0.0722}}};
-  for (const Plan& plan : {by_ranks, by_means}) {
+  for (const AnalysisPlan& plan : {by_ranks, by_means}) {
     const std::vector<Seen> findings = compared(of, plan);
     CHECK(verdicts(findings) ==
           "IK-BABA better; IK-BADE better; IK-BAK-ABC better; BADE worse; BAK-ABC worse; DEK-ABC not decided; ");
@@ -490,7 +490,7 @@ TEST_CASE("verdicts may form a circle", "[compare]") {
 }
 
 TEST_CASE("a winner by ranks whose mean or median lies the other way is warned of", "[compare]") {
-  const auto warned_of = [](const MetricSamples& of, const Plan& plan = {}) {
+  const auto warned_of = [](const MetricSamples& of, const AnalysisPlan& plan = {}) {
     const JudgedMetric all = judge::judge(of, plan);
     return all.observations.doubts.empty() ? "" : all.observations.doubts.front().what;
   };

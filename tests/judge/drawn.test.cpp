@@ -540,7 +540,7 @@ TEST_CASE("drawn tables are judged as a second reference judges them", "[drawn][
     if (table.is_huge) continue;
     ++tables;
     MetricSamples observed = read().observed[0];
-    const auto test = table.by_means ? Plan::Test::means : Plan::Test::ranks;
+    const auto test = table.by_means ? AnalysisPlan::Test::means : AnalysisPlan::Test::ranks;
     const JudgedMetric judged = ikbench::judge::judge(observed, csv::with_margin({.test = test}, "", observed));
     const show::Answer answer = show::answer_of({judged});
     const Rights rights = rights_of(table);

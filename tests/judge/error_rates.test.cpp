@@ -32,7 +32,7 @@ struct Row {
   std::function<double(Random&, std::size_t group)> draw;
   bool in_blocks = false;  // which lie over four decades
   double hard = 0;         // there are blocks, of which the first is so many times as hard as the others
-  Plan plan = {};
+  AnalysisPlan plan = {};
   int times = 1;  // as many values in the groups after the first; per solved in all
   double floor = 1e-300;
   EffectScale scale = EffectScale::ratio;
@@ -42,7 +42,7 @@ struct Row {
 
 MetricSamples drawn_per_solved(const Row& row, std::size_t k, int n, Random& random) {
   StudyResults study;
-  study.definition = results::definition_of(
+  study.definition = results::parse_definition(
       definition({.start = "middle", .targets = "drawn", .runs = n * row.times, .points = 1, .tolerance_cm = 0.1}));
   for (std::size_t g = 0; g < k; ++g) {
     study.labels.emplace_back(1, static_cast<char>('A' + g));
@@ -114,7 +114,7 @@ double found_by_mann_whitney(const MetricSamples& of) {
 std::vector<Row> rows() {
   using enum Counts;
   constexpr double printed = std::numeric_limits<double>::quiet_NaN();
-  const Plan by_means{.test = Plan::Test::means};
+  const AnalysisPlan by_means{.test = AnalysisPlan::Test::means};
   const auto normal = [](Random& r, std::size_t) { return 10 + r.normal(); };
   const auto lognormal = [](Random& r, std::size_t) { return r.lognormal(1); };
   const auto tenth_more = [](Random& r, std::size_t g) { return (g == 0 ? 1.10 : 1) * r.lognormal(0.05); };
@@ -273,7 +273,7 @@ show::Answer drawn_answer(Random& random, std::size_t k, double least_solved, bo
     if (!are_times_judged) times.groups.back().sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::apart};
     evaluations.groups.push_back({.name = name, .sample = std::move(counts)});
   }
-  const Plan plan;
+  const AnalysisPlan plan;
   std::vector<JudgedMetric> metrics;
   for (MetricSamples* const observed : {&solved, &times, &evaluations})  // which the plan names
     metrics.push_back(judge(*observed, plan, compare(*observed, plan, 3)));

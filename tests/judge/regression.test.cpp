@@ -107,7 +107,7 @@ TEST_CASE("drawn targets are paired; another task or number of solves is refused
     CHECK_THROWS_AS(gate_of(version(1), other), std::invalid_argument);
     CHECK_THROWS_AS(gate_of(other, version(1)), std::invalid_argument);
   }
-  const std::pair<const char*, std::function<void(results::Definition&)>> changes[]{
+  const std::pair<const char*, std::function<void(results::StudyDefinition&)>> changes[]{
       {"arms", [](auto& its) { its.robot = "another"; }},
       {"arms", [](auto& its) { its.arm = "another"; }},
       {"targets", [](auto& its) { its.path = "another"; }},

@@ -79,10 +79,10 @@ TEST_CASE("One fixed target is no group of one: its runs are observations") {
 
 TEST_CASE("A chained run that lacks a point gives no observation, and a pair has the blocks that both have") {
   const auto without = [](const Asked& asked) {
-    std::vector<SolveRecord> solves = solves_of(asked, {"A", "B"}, number_errors);
+    std::vector<SolveRecord> solves = planned_solve_count(asked, {"A", "B"}, number_errors);
     std::erase_if(solves,
                   [](const SolveRecord& solve) { return solve.label == "A" && solve.run == 2 && solve.point == 3; });
-    return stored_study(entry_of(asked, {"A", "B"}), solves);
+    return to_stored(entry_of(asked, {"A", "B"}), solves);
   };
   CHECK(list_of(group(observed(without(chained)), "A")) == Numbers{12.5, 32.5, 42.5, 52.5});
   const MetricSamples runs = observed(without(drawn_runs));

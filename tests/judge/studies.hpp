@@ -52,7 +52,7 @@ inline Seen seen(const Comparison& finding) {
   }
   return all;
 }
-inline std::vector<Seen> compared(const MetricSamples& observed, const Plan& plan, std::size_t metrics = 1) {
+inline std::vector<Seen> compared(const MetricSamples& observed, const AnalysisPlan& plan, std::size_t metrics = 1) {
   std::vector<Seen> all;
   for (const Comparison& finding : compare(observed, plan, metrics)) all.push_back(seen(finding));
   return all;
@@ -97,8 +97,8 @@ inline SolveRecord solve_of(const Asked& asked, const std::string& solver, int r
 // Changes a solve after its defaults are set.
 using Change = std::function<void(SolveRecord&)>;
 
-inline std::vector<SolveRecord> solves_of(const Asked& asked, const std::vector<std::string>& solvers,
-                                          const Change& change) {
+inline std::vector<SolveRecord> planned_solve_count(const Asked& asked, const std::vector<std::string>& solvers,
+                                                    const Change& change) {
   std::vector<SolveRecord> solves;
   for (const std::string& solver : solvers) {
     for (int run = 1; run <= asked.runs; ++run) {
@@ -113,7 +113,7 @@ inline std::vector<SolveRecord> solves_of(const Asked& asked, const std::vector<
 
 inline results::StoredStudy entry_of(const Asked& asked, const std::vector<std::string>& solvers) {
   results::StoredStudy entry{
-      .name = "hand-made", .definition = results::definition_of(definition(asked)), .series = {}};
+      .name = "hand-made", .definition = results::parse_definition(definition(asked)), .series = {}};
   for (const std::string& solver : solvers)
     entry.series.push_back({.key = solver + "@1", .label = solver, .algorithm = solver, .options = "{}"});
   return entry;
@@ -129,8 +129,8 @@ inline std::vector<results::Session> sessions_of(int runs) {
 inline StudyResults study(const Asked& asked, const Change& change,
                           const std::vector<std::string>& solvers = {"A", "B"},
                           const std::vector<results::Session>& sessions = {}) {
-  return stored_study(entry_of(asked, solvers), solves_of(asked, solvers, change),
-                      sessions.empty() ? sessions_of(asked.runs) : sessions);
+  return to_stored(entry_of(asked, solvers), planned_solve_count(asked, solvers, change),
+                   sessions.empty() ? sessions_of(asked.runs) : sessions);
 }
 
 }  // namespace ikbench::judge

@@ -5,9 +5,9 @@ using namespace ikbench::results;
 
 TEST_CASE("A study has the solves of each solver by run and point, and the sessions that made them") {
   const Asked asked{.runs = 2, .points = 2};
-  const std::vector<SolveRecord> solves =
-      solves_of(asked, {"A", "B"}, [](SolveRecord& solve) { solve.extras["left"] = solve.point == 1 ? 3.0 : unknown; });
-  const StudyResults study = stored_study(entry_of(asked, {"A", "B"}), solves, {{.id = 1}, {.id = 2}});
+  const std::vector<SolveRecord> solves = planned_solve_count(
+      asked, {"A", "B"}, [](SolveRecord& solve) { solve.extras["left"] = solve.point == 1 ? 3.0 : unknown; });
+  const StudyResults study = to_stored(entry_of(asked, {"A", "B"}), solves, {{.id = 1}, {.id = 2}});
   REQUIRE(study.of("B").size() == 4);
   CHECK(study.of("B")[1].point == 2);
   CHECK(study.of("B")[2].run == 2);
@@ -29,9 +29,9 @@ TEST_CASE("Solvers of a study have the same targets, and starts but where their 
   CHECK_THROWS_WITH(study(chained, other_start(1)), StartsWith(place + "1: A and B had different starts"));
   CHECK_THROWS_WITH(study(unchained, other_start(2)), StartsWith(place + "2: A and B had different starts"));
   const std::vector<std::string> labels{"A", "B", "C"};
-  std::vector<SolveRecord> solves = solves_of(unchained, labels, other_target);
+  std::vector<SolveRecord> solves = planned_solve_count(unchained, labels, other_target);
   std::erase_if(solves, [](const SolveRecord& solve) { return solve.label == "A"; });  // has solved nothing
-  CHECK_THROWS_WITH(stored_study(entry_of(unchained, labels), solves),
+  CHECK_THROWS_WITH(to_stored(entry_of(unchained, labels), solves),
                     StartsWith(place + "1: B and C had different targets"));
   CHECK_NOTHROW(study(chained, other_start(2)));
 }

@@ -51,7 +51,7 @@ TEST_CASE("the readings are counted in which a claim holds, fails and is open", 
       {"better_than_ba", {8, 20, 4}},   // a=0, b=0; fails by b=1, and at 3 against 2
       {"least_spread", {4, 20, 8}},     // spreads go with means, but 3 is not told from 2
   };
-  const JudgedMultiverse result = judged(paper, multiverse, {.test = results::Plan::Test::means});
+  const JudgedMultiverse result = judged(paper, multiverse, {.test = results::AnalysisPlan::Test::means});
   CHECK(result.in_readings.size() == known.size());
   std::size_t row = 0;
   for (const Claim& claim : paper.claims) {

@@ -2,7 +2,7 @@
 #include "tests/results/samples.hpp"
 
 TEST_CASE("A definition is read into plain data") {
-  const Definition of = definition_of(R"({"title": "T", "published": "p", "robot": "r", "search": "pose",
+  const StudyDefinition of = parse_definition(R"({"title": "T", "published": "p", "robot": "r", "search": "pose",
     "start": "previous", "limits": "enforced", "runs": 3, "points": 7, "seed": 9007199254740993,
     "path": {"kind": "random", "points": 2, "targets": "drawn"},
     "stop": {"iterations": 200, "tolerance_cm": 0.1, "tolerance_deg": 2, "evaluations": 4000, "seconds": 0.5},
@@ -30,23 +30,23 @@ TEST_CASE("A definition is read into plain data") {
   CHECK(of.out_of_reach == 3);
   CHECK(of.steps == std::vector<std::pair<double, bool>>{{45 * degree, true}, {1, false}});  // rad, and m
   CHECK(of.arm.starts_with("{\"links\""));
-  CHECK(of.plan == Plan{.test = Plan::Test::means, .control = "A", .margin = 0.1});
+  CHECK(of.plan == AnalysisPlan{.test = AnalysisPlan::Test::means, .control = "A", .margin = 0.1});
   CHECK(of.figures ==
         FigureStyle{.width_cm = 9, .palette = {"#ff0000"}, .solvers = {"B", "A"}, .colours = {{"A", "#8D1804"}}});
 }
 
 TEST_CASE("A member that lacks keeps its default") {
-  const Definition of = definition_of(R"({"stop": {"seconds": null}, "departures": []})");
+  const StudyDefinition of = parse_definition(R"({"stop": {"seconds": null}, "departures": []})");
   CHECK(of.title.empty());
   CHECK(of.points == 0);
   CHECK(of.stop.seconds == 0);
   CHECK_FALSE(of.has_tolerance());
-  CHECK(of.plan == Plan());
+  CHECK(of.plan == AnalysisPlan());
   CHECK(of.figures == FigureStyle());
 }
 
 TEST_CASE("A member of another type is refused by its name") {
-  CHECK_THROWS_WITH(definition_of(R"({"name": "mine", "runs": "many"})"),
+  CHECK_THROWS_WITH(parse_definition(R"({"name": "mine", "runs": "many"})"),
                     ContainsSubstring("study mine: runs is \"many\"; expected a whole number"));
   for (const char* text :
        {"", "[]", "4", "{", R"({"title": 4})", R"({"points": -3})", R"({"runs": 99999999999})", R"({"path": []})",
@@ -54,6 +54,6 @@ TEST_CASE("A member of another type is refused by its name") {
         R"({"figures": {"colours": {"B": 3}}})", R"({"out_of_reach": 3})", R"({"analysis": {"significance": 0}})",
         R"({"figures": {"colours": {"A": "'"}}})", R"({"figures": {"font": "a'; !touch pwned"}})"}) {
     CAPTURE(text);
-    CHECK_THROWS_AS(definition_of(text), std::invalid_argument);
+    CHECK_THROWS_AS(parse_definition(text), std::invalid_argument);
   }
 }

@@ -19,7 +19,7 @@ void make_store(const fs::path& file, const std::string& machine, const std::vec
 }
 
 // Without a check of the made-up solves.
-Merged merge(const fs::path& out, const std::vector<fs::path>& stores) {
+MergeResult merge(const fs::path& out, const std::vector<fs::path>& stores) {
   return results::merge(out, stores, [](const StoredStudy&) { return [](const SolveRecord&) {}; });
 }
 
@@ -35,7 +35,7 @@ TEST_CASE("a merged store has the studies, solves and sessions of all", "[merge]
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1, 3});
   make_store(folder.path / "b", "two", {2, 4});
-  const Merged merged = merge(folder.path / "out", {folder.path / "a", folder.path / "b"});
+  const MergeResult merged = merge(folder.path / "out", {folder.path / "a", folder.path / "b"});
   CHECK(merged.added == 4);
   CHECK(merged.known == 0);
   const Store store(folder.path / "out", Store::Mode::read);
@@ -68,15 +68,15 @@ TEST_CASE("extras come back with their solves, in a table that only stores with 
   edit(folder.path / "b", "INSERT INTO extras VALUES ('key-a', 3, 1, 'late', 1)");
   merge(folder.path / "out", {folder.path / "b"});  // whose solves are known
   const Store store(folder.path / "out", Store::Mode::read);
-  CHECK(store.names_of_extras(sample_study()) == std::vector<std::string>{"answers", "restarts"});
-  CHECK(Store(folder.path / "a", Store::Mode::read).names_of_extras(sample_study()).empty());
+  CHECK(store.extra_names(sample_study()) == std::vector<std::string>{"answers", "restarts"});
+  CHECK(Store(folder.path / "a", Store::Mode::read).extra_names(sample_study()).empty());
   const std::vector<SolveRecord> solves = series_of(store, "key-a");
   CHECK(solves[0].extras.empty());
   CHECK(solves[1].extras == std::map<std::string, double>{{"restarts", 3}, {"answers", -0.5}});
   CHECK(solves[2].extras.empty());
   CHECK(std::isnan(solves[3].extras.at("restarts")));
   edit(folder.path / "out", "UPDATE extras SET name = name || char(10)");
-  CHECK_THROWS_WITH(store.names_of_extras(sample_study()), ContainsSubstring("as the name of an extra"));
+  CHECK_THROWS_WITH(store.extra_names(sample_study()), ContainsSubstring("as the name of an extra"));
   CHECK_THROWS_WITH(series_of(store, "key-a"), ContainsSubstring("as the name of an extra"));
   edit(folder.path / "out", "DROP TABLE extras; CREATE TABLE extras (series, run, point, name, value)");
   CHECK_THROWS_AS(Store(folder.path / "out", Store::Mode::read), std::invalid_argument);
@@ -101,7 +101,7 @@ TEST_CASE("a store with a solve that the check refuses is named and left out, an
   for (const char* name : {"a", "b", "c", "d"}) make_store(folder.path / name, name, {name[0] - 'a' + 1});
   edit(folder.path / "b", "UPDATE solves SET evaluations = 7, run = 99");  // beyond the study's runs
   edit(folder.path / "c", "UPDATE solves SET status = 'fine'");
-  const CheckOf check_of = [](const StoredStudy&) {
+  const MakeCheck check_of = [](const StoredStudy&) {
     return [](const SolveRecord& solve) {
       if (solve.evaluations == 7) throw std::invalid_argument("wrong");
     };
@@ -112,7 +112,7 @@ TEST_CASE("a store with a solve that the check refuses is named and left out, an
   CHECK(complaint<std::invalid_argument>([&] { merging({folder.path / "b"}); }) ==
         quoted(folder.path / "b") + ": wrong");
   CHECK_FALSE(fs::exists(folder.path / "out"));
-  const Merged merged = merging({folder.path / "a", folder.path / "b", folder.path / "c", folder.path / "d"});
+  const MergeResult merged = merging({folder.path / "a", folder.path / "b", folder.path / "c", folder.path / "d"});
   CHECK(merged.added == 2);
   CHECK(merged.stores == 2);
   REQUIRE(merged.left_out.size() == 2);
@@ -132,7 +132,7 @@ TEST_CASE("solves that no study of their store has are counted and left out, wit
     make_store(folder.path / "a", "one", {1});
     make_store(folder.path / "b", "two", {1, 2});  // the first has other bits than in a
     edit(folder.path / "b", std::string("UPDATE solves SET evaluations = 7; ") + change);
-    const Merged merged = merge(folder.path / "out", {folder.path / "a", folder.path / "b"});
+    const MergeResult merged = merge(folder.path / "out", {folder.path / "a", folder.path / "b"});
     CHECK(merged.added == 1);
     CHECK(merged.known == 0);
     REQUIRE(merged.left_out.size() == 1);
@@ -150,7 +150,7 @@ TEST_CASE("a solve is checked by each study that takes it, whatever the study is
   make_store(folder.path / "b", "two", {2});
   edit(folder.path / "b", "UPDATE studies SET name = 'lenient'; UPDATE series SET study = 'lenient'");
   edit(folder.path / "b", "UPDATE solves SET evaluations = 7");
-  const CheckOf check_of = [](const StoredStudy& study) {
+  const MakeCheck check_of = [](const StoredStudy& study) {
     return [is_lenient = study.name == "lenient"](const SolveRecord& solve) {
       if (solve.evaluations == 7 && !is_lenient) throw std::invalid_argument("wrong");
     };
@@ -183,7 +183,7 @@ TEST_CASE("another study of the same name is refused with the field that differs
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1});
   StoredStudy other = sample_study();
-  other.definition = definition_of(R"({"robot":"iiwa7","runs":20,"points":20})");
+  other.definition = parse_definition(R"({"robot":"iiwa7","runs":20,"points":20})");
   Store(folder.path / "b", Store::Mode::write).save_study(other);
   other = sample_study();
   other.series.front().key += "@another";
@@ -227,7 +227,7 @@ TEST_CASE("of two numbers of runs the larger is taken, and how a study is judged
   make_store(folder.path / "a", "one", {1});
   make_store(folder.path / "b", "two", {30});
   StoredStudy larger = sample_study();
-  larger.definition = definition_of(R"({"robot":"iiwa14","runs":30,"points":20,"analysis":{"significance":0.01}})");
+  larger.definition = parse_definition(R"({"robot":"iiwa14","runs":30,"points":20,"analysis":{"significance":0.01}})");
   Store(folder.path / "b", Store::Mode::write).save_study(larger);
   for (const auto& order : {std::vector{"a", "b"}, std::vector{"b", "a"}}) {
     const fs::path out = folder.path / "out" / order.front();
@@ -246,7 +246,7 @@ TEST_CASE("a store that a kill left half-written is mended, and merged", "[merge
   make_store(folder.path / "b", "killed", runs);
   leave_half_written(folder.path / "b");
   write_text(folder.path / "c", "");
-  const Merged merged = merge(folder.path / "out", {folder.path / "a", folder.path / "b", folder.path / "c"});
+  const MergeResult merged = merge(folder.path / "out", {folder.path / "a", folder.path / "b", folder.path / "c"});
   CHECK(merged.added == 42);
   CHECK(merged.stores == 2);
   CHECK(merge(folder.path / "out", {folder.path / "a", folder.path / "out"}).stores == 1);

@@ -63,7 +63,7 @@ inline results::SolveRecord sample_record(const std::string& series = "key-a", i
 
 inline results::StoredStudy sample_study(const std::string& name = "table-3") {
   return {.name = name,
-          .definition = results::definition_of(R"({"robot":"iiwa14","runs":20,"points":20})"),
+          .definition = results::parse_definition(R"({"robot":"iiwa14","runs":20,"points":20})"),
           .series = {{.key = "key-a", .label = "IK-BA", .algorithm = "ik_ba", .options = R"({"gamma":0.1})"},
                      {.key = "key-b", .label = "BA", .algorithm = "ba", .options = "{}"}}};
 }

@@ -93,7 +93,7 @@ TEST_CASE("studies come back with their series, in the order in which they were 
   store.save_study(sample_study("zebra"));
   store.save_study(sample_study("aardvark"));
   StoredStudy changed = sample_study("zebra");
-  changed.definition = definition_of(R"({"runs":3,"points":1})");
+  changed.definition = parse_definition(R"({"runs":3,"points":1})");
   std::swap(changed.series[0], changed.series[1]);
   store.save_study(changed);
 
@@ -136,7 +136,7 @@ TEST_CASE("a definition that cannot be is refused with its study, and other stud
 TEST_CASE("solves of a study are those of its current series, runs and points, in its order", "[store]") {
   ScratchStore store;
   StoredStudy study = sample_study();
-  study.definition = definition_of(R"({"runs":2,"points":2})");
+  study.definition = parse_definition(R"({"runs":2,"points":2})");
   study.series = {{.key = "z", .label = "IK-BA", .algorithm = "ba", .options = "{}"},
                   {.key = "a", .label = "second", .algorithm = "ba", .options = "{}"}};
   store.save_study(study);
@@ -168,7 +168,7 @@ TEST_CASE("the views have the current solves under the present labels, and the m
   {
     Store store(file, Store::Mode::write);
     StoredStudy study = sample_study();
-    study.definition = definition_of(R"({"runs":2,"points":2})");
+    study.definition = parse_definition(R"({"runs":2,"points":2})");
     study.series = {{.key = "key-a", .label = "now", .algorithm = "ba", .options = "{}"}};
     store.save_study(study);
     std::vector<SolveRecord> solves{sample_record("key-a", 1, 1), sample_record("key-a", 1, 2),
@@ -179,7 +179,7 @@ TEST_CASE("the views have the current solves under the present labels, and the m
     solves[1].position_error_cm = 2;
     solves[2].counted_by = CountedBy::nobody;
     store.append(solves);
-    CHECK(store.number_of_solves(study) == 3);
+    CHECK(store.solve_count(study) == 3);
   }
   SQLite::Database sqlite(file.string());
   CHECK(sqlite.execAndGet("SELECT group_concat(study || label || run || point, ' ') FROM current_solves").getString() ==
@@ -194,10 +194,10 @@ TEST_CASE("solves of a configuration by other sources are counted", "[store]") {
   ScratchStore store;
   store.append({sample_record("00@1", 1, 1), sample_record("00@1", 1, 2), sample_record("00@2", 1, 1),
                 sample_record("001@1", 1, 1), sample_record("0@1", 1, 1)});
-  CHECK(store.solves_of_other_sources("00@1") == 1);
-  CHECK(store.solves_of_other_sources("00@3") == 3);
-  CHECK(store.solves_of_other_sources("0@1") == 0);
-  CHECK(store.solves_of_other_sources("1@1") == 0);
+  CHECK(store.stale_solve_count("00@1") == 1);
+  CHECK(store.stale_solve_count("00@3") == 3);
+  CHECK(store.stale_solve_count("0@1") == 0);
+  CHECK(store.stale_solve_count("1@1") == 0);
 }
 
 TEST_CASE("a solve that is already there is refused, and nothing of its batch is kept", "[store]") {

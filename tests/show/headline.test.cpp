@@ -22,7 +22,7 @@ Answer answer_of_three(std::vector<double> time_of_b, bool are_times_compared = 
                   judged(costs(numbers(
                       "evaluations", "evaluations", "",
                       {{"A", values_around(20, 0.1)}, {"B", values_around(40, 0.3)}, {"C", values_around(5, 0.1)}})))});
-  answer.then = results::all_thens;
+  answer.then = results::default_tie_breakers;
   return answer;
 }
 
@@ -45,7 +45,7 @@ TEST_CASE("ratios of many are told from the least to the largest, or once", "[sh
       times.emplace_back(name, values_around(*name == 'A' ? 0.01 : *name == 'B' ? time_of_b : 0.1, 0.2));
     }
     Answer answer = answer_of(std::vector{judged(shares(all_solved)), judged(numbers("time", "time", "ms", times))});
-    answer.then = results::all_thens;
+    answer.then = results::default_tie_breakers;
     return tie_breaker_sentence(answer);
   };
   CHECK(said(0.02) == "A is the fastest; 6 others take 2 to 10 times as long.");
@@ -57,9 +57,9 @@ TEST_CASE("one that is best alone, and what is no study, have no second question
   answer.then = {};
   CHECK(tie_breaker_sentence(answer).empty());
   Answer alone = answer_of(std::vector{judged(shares({{"A", solved(20)}, {"B", solved(2)}}))});
-  alone.then = results::all_thens;
+  alone.then = results::default_tie_breakers;
   CHECK(tie_breaker_sentence(alone).empty());
-  answer.then = results::all_thens;
+  answer.then = results::default_tie_breakers;
   answer.metrics.front().plan.control = "C";
   CHECK(tie_breaker_sentence(answer).empty());
 }

@@ -57,7 +57,7 @@ inline judge::MetricSamples numbers(std::string metric, std::string quantity, st
   return of;
 }
 
-inline judge::JudgedMetric judged(judge::MetricSamples of, const judge::Plan& plan = {}) {
+inline judge::JudgedMetric judged(judge::MetricSamples of, const judge::AnalysisPlan& plan = {}) {
   return judge::judge(std::move(of), plan);
 }
 
@@ -68,7 +68,7 @@ inline judge::JudgedStudy judged_study(const std::string& mine = "mine") {
   study.series = {{"1@a", mine, "python_pso", R"({"w":"0.7"})"},
                   {"2@a", "PSO", "particle_swarm", R"({"inertia":"0.53514"})"},
                   {"3@a", "DLS", "damped_least_squares", R"({"damping":"0.001"})"}};
-  results::Definition& definition = study.definition;
+  results::StudyDefinition& definition = study.definition;
   definition.robot = "ur5e";
   definition.search = results::Search::all_joints;
   definition.start = results::Start::middle;

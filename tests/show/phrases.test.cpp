@@ -4,7 +4,7 @@ using judge::MetricSamples;
 
 namespace {
 
-Answer of(MetricSamples observations, const results::Plan& plan = {}) {
+Answer of(MetricSamples observations, const results::AnalysisPlan& plan = {}) {
   Answer result = answer_of({judged(std::move(observations), plan)});
   result.noun = "targets";
   return result;
@@ -92,7 +92,7 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
       of(errors({{"A", values_around(1, 2)}, {"B", values_around(1.2, 0.1)}, {"C", values_around(1.5, 0.1)}})));
   add("too few", of(errors({{"A", {1, 2, 3}}, {"B", {4, 5, 6}}})));
   add("without values", of(errors({{"A", {1, 2, 3}}, {"B", {}}})));
-  add("by means, few decide", of(errors({{"A", heavy(1)}, {"B", b}}), {.test = results::Plan::Test::means}));
+  add("by means, few decide", of(errors({{"A", heavy(1)}, {"B", b}}), {.test = results::AnalysisPlan::Test::means}));
   add("better by ranks, by the mean worse", of(errors({{"A", heavy(1)}, {"B", b}})));
   add("better by ranks, by the median worse",
       of(errors({{"A", two_modes(0.5, 48, 5.5)}, {"B", two_modes(1, 55, 10.6)}})));

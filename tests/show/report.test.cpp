@@ -93,7 +93,7 @@ TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
     all += fmt::format("{}:\n", what);
     for (const std::string& sentence : results_of(answer)) all += fmt::format("  {}\n", sentence);
   };
-  const auto of = [](judge::MetricSamples observed, const judge::Plan& plan = {}) {
+  const auto of = [](judge::MetricSamples observed, const judge::AnalysisPlan& plan = {}) {
     Answer answer = answer_of({judged(std::move(observed), plan)});
     answer.noun = "targets";
     return answer;
@@ -108,7 +108,7 @@ TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
   };
   add("a study of three", make_report().answer);
   add("two", of(errors_of(2)));
-  add("two by means", of(errors_of(2), {.test = results::Plan::Test::means}));
+  add("two by means", of(errors_of(2), {.test = results::AnalysisPlan::Test::means}));
   add("ten", of(errors_of(10)));
   add("seventeen", of(errors_of(17)));
   add("ten, with a control", of(errors_of(10), {.control = "S4"}));
@@ -123,13 +123,14 @@ TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
 }
 
 TEST_CASE("a table of results shows medians or means, by which solvers are tested", "[show]") {
-  const auto text = [](results::Plan::Test test) {
+  const auto text = [](results::AnalysisPlan::Test test) {
     const Table table = results_table(
         answer_of({judged(numbers("error", "error", "mm", {{"A", values_around(1, 0.5)}, {"B", values_around(3, 0.5)}}),
                           {.test = test})}));
     return to_csv(table) + table.notes.front();
   };
-  const std::string by_ranks = text(results::Plan::Test::ranks), by_means = text(results::Plan::Test::means);
+  const std::string by_ranks = text(results::AnalysisPlan::Test::ranks),
+                    by_means = text(results::AnalysisPlan::Test::means);
   CHECK(contains(by_ranks, "solver,median error [mm],median error low [mm],median error high [mm]"));
   CHECK(contains(by_ranks, "Medians (quartiles). *"));
   CHECK(contains(by_means, "solver,mean error [mm],mean error sd [mm]"));
@@ -279,7 +280,7 @@ TEST_CASE("a table says no more below it than it has", "[show]") {
 TEST_CASE("a pair has one effect size, named by its standardiser", "[show]") {
   judge::MetricSamples of =
       numbers("error", "error", "mm", {{"A", values_around(1, 0.5)}, {"B", values_around(3, 0.6)}});
-  using Test = results::Plan::Test;
+  using Test = results::AnalysisPlan::Test;
   for (const auto& [is_paired, test, name] :
        {std::tuple(true, Test::ranks, "a12"), {true, Test::means, "g_av"}, {false, Test::means, "g"}}) {
     of.is_paired = is_paired;
@@ -290,7 +291,7 @@ TEST_CASE("a pair has one effect size, named by its standardiser", "[show]") {
 
 TEST_CASE("marks say who is worse or better than the reference, and stand at what the test was of", "[show]") {
   const auto a = values_around(1, 0.5), b = values_around(3, 0.5), c = values_around(3.03, 0.6);
-  const auto text = [](judge::MetricSamples costs, results::Plan plan = {}, int last = 6) {
+  const auto text = [](judge::MetricSamples costs, results::AnalysisPlan plan = {}, int last = 6) {
     costs.is_of_solved = costs.is_paired = true;
     const auto shown_of = shares({{"A", solved(6)}, {"B", solved(20)}, {"C", solved(last)}});
     const Table table = results_table(answer_of({judged(shown_of, plan), judged(std::move(costs), plan)}));
@@ -317,7 +318,7 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
         "Multiples are on values that both solved.\n");
   text(costs, {}, 20);
   CHECK(contains(text(costs, {.control = "B"}), "A        30 % (15-52) *   0.33 times +\n"));
-  const std::string by_means = text(costs, {.test = results::Plan::Test::means, .control = "A"});
+  const std::string by_means = text(costs, {.test = results::AnalysisPlan::Test::means, .control = "A"});
   INFO(by_means);
   CHECK(contains(by_means, "B        100 % (84-100) +   +2.08 deg *"));
   CHECK(contains(by_means, "Motion: differences from A's"));
@@ -364,7 +365,7 @@ TEST_CASE("a leader that no test reached is marked", "[show]") {
 
 TEST_CASE("unpaired and paired values have tests of all solvers", "[show]") {
   judge::MetricSamples of = numbers("error", "error", "mm", {{"A", values_around(1, 1)}, {"B", values_around(2, 1)}});
-  const results::Plan by_means{.test = results::Plan::Test::means};
+  const results::AnalysisPlan by_means{.test = results::AnalysisPlan::Test::means};
   CHECK(omnibus_table(answer_of({judged(of, by_means)})).rows.size() == 4);
   CHECK(omnibus_table(answer_of({judged(of)})).rows.size() == 4);
   // The share of the groups is partial where that of blocks is left out.

@@ -83,7 +83,7 @@ struct Value {
 
 // Of the solves, by block; an observation is made of those of one.
 std::vector<Value> values_of(const StudyResults& study, const Metric& metric, std::string_view solver) {
-  const Definition& definition = study.definition;
+  const StudyDefinition& definition = study.definition;
   const bool of_runs = are_runs(study, metric), of_solved = is_of_solved(study, metric);
   const double least = tolerance_of(study, metric);
   // Where the arm stayed is no error of a solver that never moved it.
@@ -247,7 +247,7 @@ double Metric::value(const Solve& solve, const StudyResults& study) const {
   return solve.status == Status::ok && number < solve.numbers.size() ? solve.numbers[number] : unknown;
 }
 
-std::vector<Metric> metrics_of(const StudyData& study) {
+std::vector<Metric> metrics_of(const StudySpec& study) {
   std::vector<Metric> all(rows.begin(), rows.end());
   for (const auto& [names, better] :
        {std::pair(&study.check.larger, Better::larger), {&study.check.smaller, Better::smaller}}) {
@@ -255,7 +255,7 @@ std::vector<Metric> metrics_of(const StudyData& study) {
       for (const Metric& known : all)
         if (const std::string its = base::lower_case(name); its == known.column || its == known.slug ||
                                                             its == known.name || its == "answered" ||
-                                                            std::ranges::count(results::all_thens, its) > 0)
+                                                            std::ranges::count(results::default_tie_breakers, its) > 0)
           throw std::invalid_argument(fmt::format("[check] has the number {}, which is a metric already", name));
       all.push_back({name, name, name, "", Kind::cost, QuantityKind::other, 0, 0, WhenReported::always, nullptr,
                      all.size() - rows.size(), better});
@@ -306,7 +306,7 @@ MetricSamples observe(const StudyResults& study, const Metric& metric) {
 }
 
 MetricSamples make_samples_by_target(const StudyResults& study, const Metric& metric) {
-  const Definition& definition = study.definition;
+  const StudyDefinition& definition = study.definition;
   const bool of_runs = are_runs(study, metric);
   MetricSamples observed = empty_samples(metric);
   observed.is_paired = definition.draws_targets || !of_runs;

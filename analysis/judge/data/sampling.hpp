@@ -40,7 +40,7 @@ struct Metric {
 
 std::span<const Metric> metrics();
 // With the numbers of a study's check, which it outlives. Throws std::invalid_argument if one has a metric's name.
-std::vector<Metric> metrics_of(const results::StudyData& study);
+std::vector<Metric> metrics_of(const results::StudySpec& study);
 // Throws std::invalid_argument, which lists all, if no row has this column.
 const Metric& metric_named(std::string_view column, std::span<const Metric> all = metrics());
 

@@ -51,7 +51,7 @@ double angle_deg(double orientation_error) {
   return 2 * std::asin(sine > 1 ? 1.0 : sine) / base::degree;
 }
 
-bool exceeds_velocity(const Definition& study, const SolveRecord& solve) {
+bool exceeds_velocity(const StudyDefinition& study, const SolveRecord& solve) {
   for (std::size_t j = 0; j < std::min({study.steps.size(), solve.start_rad.size(), solve.answer_rad.size()}); ++j) {
     const auto [furthest, is_endless] = study.steps[j];
     const double move = solve.answer_rad[j] - solve.start_rad[j];
@@ -67,7 +67,7 @@ void add_extras(const SolveRecord& record, StudyResults& study) {
     if (has_check && name.starts_with(invalid_extra)) ++study.faults[record.label][name.substr(invalid_extra.size())];
     if (has_check && (name.starts_with(invalid_extra) || name.starts_with(check_extra))) continue;
     const bool is_one_of_few = study.extras.contains(name) || std::ssize(study.extras) < most_extras;
-    const bool is_metric = std::isfinite(value) && !name.starts_with(results::refused_extra);
+    const bool is_metric = std::isfinite(value) && !name.starts_with(results::refused_prefix);
     if (is_metric && is_one_of_few) study.extras[name][record.label].push_back(value);
   }
 }
@@ -89,8 +89,8 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
     if (const auto found = record.extras.find(std::string(check_extra) + name); found != record.extras.end())
       numbers.push_back(found->second);
   add_extras(record, study);
-  const bool is_told =
-      record.cpu_seconds > 0 && record.claimed_seconds > 0 && record.claimed_seconds >= least_told(record.cpu_seconds);
+  const bool is_told = record.cpu_seconds > 0 && record.claimed_seconds > 0 &&
+                       record.claimed_seconds >= min_credible_seconds(record.cpu_seconds);
   const double seconds = is_told ? record.claimed_seconds : record.seconds;
   const bool is_single = record.timing != Timing::batch;
   if (!is_single) study.in_batches[record.label].first.insert(record.repeats);
@@ -208,8 +208,8 @@ SessionSets sessions_of(const StudyResults& study) {
   return sessions;
 }
 
-StudyResults read_study(const Store& store, const StoredStudy& entry, const TakeSolve& also) {
-  const std::int64_t all = store.number_of_solves(entry);
+StudyResults read_study(const Store& store, const StoredStudy& entry, const SolveVisitor& also) {
+  const std::int64_t all = store.solve_count(entry);
   if (all > most_solves)
     throw std::invalid_argument(
         fmt::format("study '{}' has {} solves; expected at most {}", entry.name, all, most_solves));
@@ -234,7 +234,7 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Take
   require_same_targets(study);
   for (const Series& series : entry.series) {
     if (std::ssize(study.of(series.label)) >= std::int64_t{study.definition.runs} * study.definition.points) continue;
-    const std::int64_t others = store.solves_of_other_sources(series.key);
+    const std::int64_t others = store.stale_solve_count(series.key);
     if (others == 0) continue;
     study.stale_solves.who.push_back(series.label);
     study.stale_solves.count += static_cast<double>(others);

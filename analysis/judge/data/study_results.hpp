@@ -110,7 +110,7 @@ constexpr int most_extras = 50;  // names; more are left out
 // Reads the current solves of a study, and passes each on to `also`. Throws std::invalid_argument for more than
 // `most_solves`, or more than `max_traces` with a trace; and, as all do, if solvers had other targets or starts.
 StudyResults read_study(const results::Store& store, const results::StoredStudy& entry,
-                        const results::TakeSolve& also = {});
+                        const results::SolveVisitor& also = {});
 // Throws std::invalid_argument: no solver chooses its targets, nor its starts, but those that its own answers left.
 void require_same_targets(const StudyResults& study);
 

@@ -70,11 +70,12 @@ constexpr const Method* methods[][3]{{&unpaired_ranks, &signed_ranks, &signs},
                                      {&unpaired_shares, &paired_shares, &one_t}};
 
 // What design and plan choose, never the values, unless a file's may be copies.
-const Method& method_of(const MetricSamples& observed, const Plan& plan, const Group& a, const Group& b) {
+const Method& method_of(const MetricSamples& observed, const AnalysisPlan& plan, const Group& a, const Group& b) {
   const bool is_printed =
       std::holds_alternative<SummaryStatistics>(a.sample) || std::holds_alternative<SummaryStatistics>(b.sample);
   const bool is_one = repeats_itself(a) || repeats_itself(b), is_share = observed.scale == EffectScale::share;
-  const bool by_means = is_printed || is_share || observed.is_log_scale || (plan.test == Plan::Test::means && !is_one);
+  const bool by_means =
+      is_printed || is_share || observed.is_log_scale || (plan.test == AnalysisPlan::Test::means && !is_one);
   const By by = is_share && observed.trials == 1 && observed.fewest == 0 && !is_printed ? By::shares
                 : by_means                                                              ? By::means
                                                                                         : By::ranks;
@@ -123,7 +124,8 @@ struct Trial {
   bool is_same = false;
 };
 
-Trial trial_of(const MetricSamples& observed, const Plan& plan, const Pair& pair, bool takes_logs, double alpha) {
+Trial trial_of(const MetricSamples& observed, const AnalysisPlan& plan, const Pair& pair, bool takes_logs,
+               double alpha) {
   Trial trial{.numbers = prepared(*pair.a, *pair.b, observed, pair.method->is_by_difference, takes_logs),
               .outcome = {}};
   const PairData& numbers = trial.numbers;
@@ -157,7 +159,7 @@ Trial trial_of(const MetricSamples& observed, const Plan& plan, const Pair& pair
   // Equal values, and few that differ by one number, say nothing of failures that are rarer than so many can show.
   const bool are_equal = interval ? interval->low == 0 && interval->high == 0 : numbers.are_all_equal;
   const bool has_width = interval && interval->low < interval->high;
-  const double rare = plan.margin > 0 ? plan.margin : Plan().margin;  // an absolute margin is none of shares
+  const double rare = plan.margin > 0 ? plan.margin : AnalysisPlan().margin;  // an absolute margin is none of shares
   const bool can_fail = (are_equal || (!has_width && trial.outcome.p >= alpha)) &&
                         1 - wilson(1, std::min(first.n, second.n), alpha).low > rare;
   // Ranks alone would not see that rare values are far apart, nor ratios in blocks that the medians shown are.
@@ -183,7 +185,7 @@ std::optional<Dominance> effect_of(const MetricSamples& observed, const Pair& pa
                                            : Dominance{smaller / pairs, larger / pairs};
 }
 
-DeterministicResult fact_of(const MetricSamples& observed, const Plan& plan, const Pair& pair) {
+DeterministicResult fact_of(const MetricSamples& observed, const AnalysisPlan& plan, const Pair& pair) {
   double one = values_of(*pair.a).front(), other = values_of(*pair.b).front();
   if (observed.is_log_scale) one = std::exp(one), other = std::exp(other);
   return {is_worse_beyond_margin(observed, plan, one, other)   ? Verdict::worse
@@ -192,7 +194,7 @@ DeterministicResult fact_of(const MetricSamples& observed, const Plan& plan, con
 }
 
 // The verdict of p, with an amount that cannot refute it. The pair's groups have the same blocks.
-Comparison judged_on_common(const MetricSamples& observed, const Plan& plan, const Pair& pair, double tests) {
+Comparison judged_on_common(const MetricSamples& observed, const AnalysisPlan& plan, const Pair& pair, double tests) {
   Comparison finding{.first = pair.a->name, .second = pair.b->name, .scale = pair.scale};
   if (pair.open) {
     finding.what = *pair.open;
@@ -250,7 +252,7 @@ Comparison judged_on_common(const MetricSamples& observed, const Plan& plan, con
 }
 
 // Copies the two groups only where their blocks differ, and only while they are judged.
-Comparison judged(const MetricSamples& observed, const Plan& plan, const Pair& pair, double tests) {
+Comparison judged(const MetricSamples& observed, const AnalysisPlan& plan, const Pair& pair, double tests) {
   if (!has_other_blocks(*pair.a, *pair.b)) return judged_on_common(observed, plan, pair, tests);
   Group a = *pair.a, b = *pair.b;
   keep_common_blocks({&a, &b});
@@ -287,7 +289,7 @@ std::vector<Group> rising_groups(const MetricSamples& observed) {
 }
 
 // The pairs that the plan asks for. Throws std::invalid_argument, which names all groups, if the control is none.
-std::vector<Pair> pairs_of(const MetricSamples& observed, const std::vector<Group>& rising, const Plan& plan) {
+std::vector<Pair> pairs_of(const MetricSamples& observed, const std::vector<Group>& rising, const AnalysisPlan& plan) {
   if (!plan.control.empty() && place_of(observed, plan.control) == observed.groups.size()) {
     std::vector<std::string> names;
     for (const Group& group : observed.groups) names.push_back(group.name);
@@ -389,7 +391,7 @@ std::set<std::string> beaten_solvers(const std::vector<Comparison>& findings) {
   return losers;
 }
 
-std::vector<Comparison> compare(const MetricSamples& observed, const Plan& plan, std::size_t metrics) {
+std::vector<Comparison> compare(const MetricSamples& observed, const AnalysisPlan& plan, std::size_t metrics) {
   return std::move(compare({{&observed, &plan}}, metrics).front());
 }
 
@@ -429,7 +431,7 @@ Comparison better_first(Comparison finding, std::string_view control, bool is_se
   return finding;
 }
 
-bool is_worse_beyond_margin(const MetricSamples& observed, const Plan& plan, double one, double other) {
+bool is_worse_beyond_margin(const MetricSamples& observed, const AnalysisPlan& plan, double one, double other) {
   if (observed.scale == EffectScale::ratio)
     one = std::max(one, observed.floor), other = std::max(other, observed.floor);
   const double relative =

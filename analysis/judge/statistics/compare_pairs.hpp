@@ -15,7 +15,7 @@
 
 namespace ikbench::judge {
 
-using results::Plan;
+using results::AnalysisPlan;
 
 // Of the first. same: within the margin. undecided: p decides nothing. not_tested: an open finding says why.
 enum class Verdict { better, worse, same, undecided, not_tested };
@@ -84,12 +84,12 @@ bool are_equal(const Comparison& finding);  // no value differs
 // A pair is decided at the significance divided by the number of pairs that data of these sizes can decide at all, and
 // by `metrics`, the number of metrics that share the significance. Throws std::invalid_argument if the control is no
 // group. Paired groups have one size without blocks, and ratios are of values above 0, or have a floor above it.
-std::vector<Comparison> compare(const MetricSamples& observed, const Plan& plan, std::size_t metrics = 1);
+std::vector<Comparison> compare(const MetricSamples& observed, const AnalysisPlan& plan, std::size_t metrics = 1);
 
 // One metric of several studies, such as those of the labels that two stores have: their pairs share the significance.
 struct Member {
   const MetricSamples* observed;
-  const Plan* plan;
+  const AnalysisPlan* plan;
 };
 // The findings of each member of a family.
 std::vector<std::vector<Comparison>> compare(const std::vector<Member>& family, std::size_t metrics);
@@ -103,7 +103,7 @@ std::set<std::string> beaten_solvers(const std::vector<Comparison>& all);  // wo
 bool is_dominated(const Group& group);
 
 // A mean or median is worse than another by more than the margin.
-bool is_worse_beyond_margin(const MetricSamples& observed, const Plan& plan, double one, double other);
+bool is_worse_beyond_margin(const MetricSamples& observed, const AnalysisPlan& plan, double one, double other);
 
 // The same pair, told with its better one first, or if none is with its second where that is ahead; or else with the
 // control second.

@@ -21,7 +21,7 @@ enum class Phase { sin_cos, cos_sin };
 // The end of a curve: point k of n, k = 0 ... n - 1, lies at the fraction k/n or k/(n - 1) of the path.
 enum class Spacing { k_over_n, k_over_n_minus_1 };
 
-class Helix : public PathKind {
+class Helix : public TargetSet {
  public:
   std::string_view name() const override { return "helix"; }
   std::string_view summary() const override { return "a helix that rises along z"; }
@@ -32,7 +32,7 @@ class Helix : public PathKind {
     io.numbers("centre_cm", centre_, centimetre, 3, "x, y, z of the centre of its lowest turn");
     io.number("radius_cm", radius_, centimetre, {0, 1e6}, "");
     io.number("start_deg", start_, degree, {-1e5, 1e5}, "angle t of the first point");
-    io.whole("points", points_, point_counts, "");
+    io.whole("points", points_, point_count_range, "");
     io.choice("phase", phase_, {"sin_cos", "cos_sin"},
               "(x, y) relative to the centre: radius (sin t, cos t) or radius (cos t, sin t)");
     list_common(io);
@@ -79,7 +79,7 @@ class Helix : public PathKind {
   int points_ = 20;
   Phase phase_ = Phase::sin_cos;
   Spacing spacing_ = Spacing::k_over_n;
-  Tool tool_ = Tool::down;
+  ToolOrientation tool_ = ToolOrientation::down;
   double roll_ = 0, yaw_ = 0;  // [rad]
   double tool_turns_ = 0;      // [rad] about the vertical, on the way
 };
@@ -99,7 +99,7 @@ class Circle final : public Helix {
   void list_fields(Fields& io) override {
     io.numbers("centre_cm", centre_, centimetre, 3, "x, y, z of the centre");
     io.number("radius_cm", radius_, centimetre, {0, 1e6}, "");
-    io.whole("points", points_, point_counts,
+    io.whole("points", points_, point_count_range,
              "point k = 0 ... n - 1 is the centre + radius (cos t, sin t, 0) with t = 360 deg times its fraction");
     list_common(io);
     io.number("tool_turns_deg", tool_turns_, degree, {-1e5, 1e5},
@@ -109,7 +109,7 @@ class Circle final : public Helix {
 
 }  // namespace
 
-std::unique_ptr<PathKind> helix_path() { return std::make_unique<Helix>(); }
-std::unique_ptr<PathKind> circle_path() { return std::make_unique<Circle>(); }
+std::unique_ptr<TargetSet> helix_path() { return std::make_unique<Helix>(); }
+std::unique_ptr<TargetSet> circle_path() { return std::make_unique<Circle>(); }
 
 }  // namespace ikbench::experiments

@@ -115,7 +115,7 @@ class PoseColumns {
   Eigen::Matrix3d rotation_in(std::size_t row) {
     if (!matrix_.empty()) return rotation_of_matrix(row);
     if (!rpy_.empty()) return rotation_from_rpy({angle(row, rpy_[0]), angle(row, rpy_[1]), angle(row, rpy_[2])});
-    if (quaternion_.empty()) return rotation(Tool::down);
+    if (quaternion_.empty()) return rotation(ToolOrientation::down);
     Eigen::Vector4d q;
     for (std::size_t i = 0; i < 4; ++i) q[static_cast<Eigen::Index>(i)] = number(row, quaternion_[i]);
     constexpr double tolerance = 0.01;
@@ -199,7 +199,7 @@ class PoseColumns {
   }
 };
 
-class Poses : public PathKind {
+class Poses : public TargetSet {
  public:
   std::string_view name() const override { return "poses"; }
   std::string_view summary() const override {
@@ -275,7 +275,7 @@ std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file, c
   return poses;
 }
 
-std::unique_ptr<PathKind> poses_path() { return std::make_unique<Poses>(); }
-std::unique_ptr<PathKind> csv_path() { return std::make_unique<CsvPath>(); }
+std::unique_ptr<TargetSet> poses_path() { return std::make_unique<Poses>(); }
+std::unique_ptr<TargetSet> csv_path() { return std::make_unique<CsvPath>(); }
 
 }  // namespace ikbench::experiments

@@ -92,13 +92,13 @@ Configuration drawn_to_meet(const Demand& demand, const Robot& arm, Random& rand
   return best;
 }
 
-class RandomTargets final : public PathKind {
+class RandomTargets final : public TargetSet {
  public:
   std::string_view name() const override { return "random"; }
   std::string_view summary() const override { return "random poses that the arm can reach, or cannot"; }
 
   void list_fields(Fields& io) override {
-    io.whole("points", points_, point_counts,
+    io.whole("points", points_, point_count_range,
              "each is the tool's pose at joint angles drawn uniformly within the limits from seed and run",
              InKey::in_text);
     io.choice(
@@ -176,6 +176,6 @@ class RandomTargets final : public PathKind {
 
 }  // namespace
 
-std::unique_ptr<PathKind> random_path() { return std::make_unique<RandomTargets>(); }
+std::unique_ptr<TargetSet> random_path() { return std::make_unique<RandomTargets>(); }
 
 }  // namespace ikbench::experiments
