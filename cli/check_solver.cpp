@@ -86,13 +86,13 @@ struct Solving {
     solver.count_failure();
     const auto [position, angle] = objective.deviation(solution.best.q);
     const double asked = goal.kind == GoalKind::position ? 0 : angle;
-    return {solution.best.q, position, asked, took.count(), solver.account()};
+    return {solution.best.q, position, asked, took.count(), solver.report()};
   }
 
   // Of a program with a batch: asks for all poses of `once` since the last time.
   void ask() {
     ExternalSolver solver(all, usual);
-    solver.ask();
+    solver.send_batch();
     solver.count_failure();
   }
 
@@ -117,7 +117,7 @@ class Checks {
  public:
   Checks(const ProgramSpec& choice, Robot arm) : arm_(std::move(arm)) {
     try {
-      check(meet(choice, {}));
+      check(probe(choice, {}));
     } catch (const std::invalid_argument& error) {
       line("it says hello", error.what());
     }
@@ -173,22 +173,22 @@ class Checks {
            !is_off ? "" : fmt::format("{:.2g} m off; {}", tried.error, together.all.last_failure()));
     }
     budgets(hopeless);
-    farewell(usually->all.take());
+    farewell(usually->all.acquire());
   }
 
   Tried answers(const std::string& what, Solving& solving) {
     const Tried tried = solving.once();
     const ProcessReport& account = tried.account;
     const double outside = solving.arm.limits.violation(tried.q);
-    const bool is_untrue = std::abs(account.claimed_error - tried.error) > claim_slack_of_programs;  // NaN: no claim
+    const bool is_untrue = std::abs(account.reported_error - tried.error) > program_report_tolerance;  // NaN: no claim
     const std::string wrong =
         account.failure        ? solving.all.last_failure()
         : !tried.q.allFinite() ? not_finite_in(tried.q)
         : outside > 1e-9       ? fmt::format("its answer is {:.3g} rad or m outside", outside)
         : is_untrue
-            ? fmt::format("it says that it is {:.9g} m off, and is {:.9g} m off", account.claimed_error, tried.error)
-        : account.went_on ? "it asks for more evaluations after it is told that its budget is used up"
-                          : "";
+            ? fmt::format("it says that it is {:.9g} m off, and is {:.9g} m off", account.reported_error, tried.error)
+        : account.ignored_budget ? "it asks for more evaluations after it is told that its budget is used up"
+                                 : "";
     const std::string counted = account.counted_by == CountedBy::suite
                                     ? base::counted(account.evaluations, "evaluations") + ", counted here"
                                 : account.counted_by == CountedBy::solver ? "own kinematics; its own count"
@@ -232,7 +232,7 @@ class Checks {
         const ProcessReport& its = tried.account;
         if (its.failure) return solving.all.last_failure();
         spent = {credible_seconds(its, tried.seconds), its.evaluations, its.iterations};
-        if (!its.went_on && !is_over(spent, stop)) return "";
+        if (!its.ignored_budget && !exceeds_budget(spent, stop)) return "";
       }
       return fmt::format("{:.0f} ms, {} in {}", 1000 * spent.seconds, counted(spent.evaluations, "evaluations"),
                          counted(spent.iterations, "iterations"));
@@ -249,8 +249,8 @@ class Checks {
 
   void farewell(WorkerProcess last) {
     if (last.child) last.child->end_input();
-    const ProcessFailure heard =
-        last.child ? unasked(*last.child, 2) : ProcessFailure{ProcessFailure::Kind::declined, "it had ended before"};
+    const ProcessFailure heard = last.child ? unsolicited_message(*last.child, 2)
+                                            : ProcessFailure{ProcessFailure::Kind::declined, "it had ended before"};
     line("it answers once, and ends when its input does", heard.kind == ProcessFailure::Kind::crashed ? ""
                                                           : heard.kind == ProcessFailure::Kind::timed_out
                                                               ? "it still ran after 2 s"
@@ -261,9 +261,9 @@ class Checks {
 }  // namespace
 
 void add_check_solver(const Command& command, Invocation& invocation) {
-  auto choice = std::make_shared<ProgramSpec>(ProgramSpec{.process = {}, .files = {}, .patience = 5});
+  auto choice = std::make_shared<ProgramSpec>(ProgramSpec{.process = {}, .files = {}, .timeout = 5});
   command.add("COMMAND", &choice->process, "the program and its arguments, after --").required();
-  command.add("--patience", &choice->patience, "seconds after which a solve is given up").number_in({0.1, 3600});
+  command.add("--patience", &choice->timeout, "seconds after which a solve is given up").number_in({0.1, 3600});
   auto robot_name = std::make_shared<std::string>();
   command.add("--robot", robot_name.get(),
               "an arm of ikbench list robots, for a solver that knows some kinds of arms alone");

@@ -68,7 +68,7 @@ struct StudyInStore {
 // for. One of the others that cannot be compared, as it lacks solves, has no pair.
 std::vector<RegressionCheck> gates_of(const StudyInStore& a, const StudyInStore& b,
                                       const std::vector<std::string>& asked, const CompareArguments& arguments,
-                                      const GateOptions& options) {
+                                      const RegressionOptions& options) {
   std::vector<RegressionCheck> all;
   for (const std::string& label : asked)
     all.push_back(gate(a.study(arguments, label), b.study(arguments, label), options));
@@ -85,14 +85,14 @@ std::vector<RegressionCheck> gates_of(const StudyInStore& a, const StudyInStore&
 
 std::vector<RegressionCheck> compare_all(const CompareArguments& arguments) {
   std::vector<RegressionCheck> all;
-  GateOptions options{.metrics = arguments.metrics};
+  RegressionOptions options{.metrics = arguments.metrics};
   if (!arguments.time_margin.empty()) options.time_margin = margin_from(arguments.time_margin, "--time-margin");
   if (!arguments.store.empty()) {
     const StudyInStore both(arguments.store, arguments.study);
     if (arguments.a == arguments.b) throw std::invalid_argument("A and B are the same label; expected two");
     for (const std::string& label : {arguments.a, arguments.b}) both.refuse_unknown(label);
     all.push_back(gate(both.study(arguments), arguments.b, arguments.a, options));
-    decide(all);
+    judge_all(all);
     return all;
   }
   const StudyInStore a(arguments.a, arguments.study), b(arguments.b, arguments.study);
@@ -119,58 +119,59 @@ std::vector<RegressionCheck> compare_all(const CompareArguments& arguments) {
     b.refuse_unknown(label);
   }
   all = gates_of(a, b, labels, arguments, options);
-  decide(all);
+  judge_all(all);
   all.resize(labels.size());
   return all;
 }
 
-std::string not_tested_text(const show::Answer& answer, const JudgedMetric& judged) {
-  const auto* const open = std::get_if<NotTested>(&judged.findings.front().what);
+std::string not_tested_text(const show::ReportModel& answer, const JudgedMetric& judged) {
+  const auto* const open = std::get_if<NotTested>(&judged.comparisons.front().result);
   if (open != nullptr) return show::reason_text(*open, show::observation_noun(answer, judged));
-  return fmt::format("neither has {} any {}", judged.observations.quantity, answer.noun);
+  return fmt::format("neither has {} any {}", judged.samples.quantity, answer.noun);
 }
 
 // "mine is worse than PSO: in solved and error. Not decided: joint motion.", "mine against PSO: new: 1 solve without an
 // answer."
-std::string verdict_of(const RegressionCheck& gate, const show::Answer& answer) {
+std::string verdict_of(const RegressionCheck& gate, const show::ReportModel& answer) {
   const std::string& candidate = gate.label.empty() ? gate.candidate : gate.label;
   const std::string& baseline = gate.baseline;
   if (!gate.is_compared)
     return fmt::format("{} is not compared with {}: {}.", candidate, baseline,
-                       not_tested_text(answer, gate.judged.metrics[gate.judged.deciding]));
+                       not_tested_text(answer, gate.judged.metrics[gate.judged.primary]));
   std::vector<std::string> parts;
   const bool is_worse = !gate.worse.empty(), is_open = !gate.inconclusive.empty() || !gate.not_tested.empty(),
              is_within = !gate.worse_below_margin.empty();
   if (is_worse) parts.push_back("in " + show::listed(gate.worse));
   if (!gate.better.empty()) parts.push_back((is_worse ? "better in " : "in ") + show::listed(gate.better));
-  if (gate.newly_missing > 0)
-    parts.push_back(fmt::format("new: {} without an answer", base::counted(gate.newly_missing, "solves")));
+  if (gate.new_failures > 0)
+    parts.push_back(fmt::format("new: {} without an answer", base::counted(gate.new_failures, "solves")));
   std::string text = fmt::format("{} {} {}{}{}.", candidate,
-                                 is_worse                 ? "is worse than"
-                                 : !gate.better.empty()   ? "is better than"
-                                 : gate.newly_missing > 0 ? "against"
-                                 : is_open                ? "is not shown to be worse than"
-                                 : is_within              ? "is not worse by more than the margin than"
-                                                          : "is not worse than",
+                                 is_worse                ? "is worse than"
+                                 : !gate.better.empty()  ? "is better than"
+                                 : gate.new_failures > 0 ? "against"
+                                 : is_open               ? "is not shown to be worse than"
+                                 : is_within             ? "is not worse by more than the margin than"
+                                                         : "is not worse than",
                                  baseline, parts.empty() ? "" : ": ", show::listed(parts, ", "));
   if (!gate.worse_below_margin.empty())
     text += fmt::format(" Worse by less than the margin: {}.", show::listed(gate.worse_below_margin));
   if (!gate.inconclusive.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.inconclusive));
   show::NamesByPhrase untested;  // by why
   for (const JudgedMetric& judged : gate.judged.metrics) {
-    const std::string& quantity = judged.observations.quantity;
+    const std::string& quantity = judged.samples.quantity;
     if (std::ranges::count(gate.not_tested, quantity) > 0) untested.add(not_tested_text(answer, judged), quantity);
   }
-  if (!untested.all.empty()) text += fmt::format(" Not tested: {}.", fmt::join(untested.told("{1} ({0})"), "; "));
+  if (!untested.entries.empty())
+    text += fmt::format(" Not tested: {}.", fmt::join(untested.formatted("{1} ({0})"), "; "));
   std::vector<std::string> others;
   if (!gate.also_worse.empty()) others.push_back("worse in " + show::listed(gate.also_worse));
   if (!gate.also_better.empty()) others.push_back("better in " + show::listed(gate.also_better));
   const char* const why = gate.options.metrics.empty() ? "Not in the plan" : "Not asked for";
   if (!others.empty()) text += fmt::format(" {}: {}.", why, fmt::join(others, "; "));
-  const std::vector<show::Question> questions = show::headline_questions(answer);
+  const std::vector<show::HeadlineQuestion> questions = show::headline_questions(answer);
   const bool is_then_of_times =
-      questions.size() > 1 && questions.back().of->observations.measures == QuantityKind::time;
-  if (gate.label.empty() && !gate.do_times_decide() && is_then_of_times)
+      questions.size() > 1 && questions.back().metric->samples.quantity_kind == QuantityKind::time;
+  if (gate.label.empty() && !gate.counts_times() && is_then_of_times)
     text += " Times decide nothing here. " + show::tie_breaker_sentence(answer);
   return text;
 }
@@ -178,7 +179,7 @@ std::string verdict_of(const RegressionCheck& gate, const show::Answer& answer) 
 // "Lost: run 57; won: none; the other 199 are the same to the bit."
 std::string changed_targets_text(const RegressionCheck& gate) {
   constexpr std::size_t most = 10;
-  const std::size_t changed = gate.lost.size() + gate.won.size();
+  const std::size_t changed = gate.newly_unsolved.size() + gate.newly_solved.size();
   if (changed == 0) return "";
   const auto names = [](std::vector<std::string> all) {
     if (all.empty()) return std::string("none");
@@ -187,32 +188,33 @@ std::string changed_targets_text(const RegressionCheck& gate) {
     all.resize(most);
     return fmt::format("{} and {} more", fmt::join(all, ", "), more);
   };
-  const auto rest = gate.judged.metrics.back().described.front().n - static_cast<int>(changed);
-  const std::string same = gate.same == rest ? fmt::format("the other {} are the same to the bit", rest)
-                                             : fmt::format("the same to the bit: {} of the other {}", gate.same, rest);
-  return fmt::format("{}: {}; won: {}; {}.", gate.label.empty() ? "Lost" : gate.label + " lost", names(gate.lost),
-                     names(gate.won), same);
+  const auto rest = gate.judged.metrics.back().descriptives.front().n - static_cast<int>(changed);
+  const std::string same = gate.identical_solves == rest
+                               ? fmt::format("the other {} are the same to the bit", rest)
+                               : fmt::format("the same to the bit: {} of the other {}", gate.identical_solves, rest);
+  return fmt::format("{}: {}; won: {}; {}.", gate.label.empty() ? "Lost" : gate.label + " lost",
+                     names(gate.newly_unsolved), names(gate.newly_solved), same);
 }
 
 // Something may differ.
-bool is_told(const RegressionCheck& gate) { return !gate.are_same || gate.do_times_decide(); }
+bool is_told(const RegressionCheck& gate) { return !gate.is_identical || gate.counts_times(); }
 
 // Of all that are the same, bit for bit, in one; empty if none are.
 std::string verdict_of_same(const std::vector<RegressionCheck>& all) {
   std::vector<std::string> names;
   int solves = 0;
   for (const RegressionCheck& gate : all) {
-    if (!gate.are_same) continue;
+    if (!gate.is_identical) continue;
     names.push_back(gate.label.empty() ? show::listed({gate.candidate, gate.baseline}) : gate.label);
-    solves += gate.judged.metrics.back().described.front().n;
+    solves += gate.judged.metrics.back().descriptives.front().n;
   }
   if (names.empty()) return "";
   return fmt::format("{}: all solves are the same, bit for bit ({}).", show::listed(names),
                      base::counted(solves, "solves"));
 }
 
-show::Answer answer_of(const RegressionCheck& gate) {
-  show::Answer answer = show::answer_of(gate.judged);
+show::ReportModel answer_of(const RegressionCheck& gate) {
+  show::ReportModel answer = show::answer_of(gate.judged);
   answer.verdict = verdict_of(gate, answer);
   return answer;
 }
@@ -222,9 +224,9 @@ std::string gate_note(const std::vector<RegressionCheck>& all) {
   if (std::ranges::none_of(all, is_told)) return "";
   const JudgedStudy& judged = all.front().judged;
   const auto time = std::ranges::find_if(judged.metrics, [](const JudgedMetric& its) {
-    return its.observations.measures == QuantityKind::time && !show::is_share(its);  // which is in time
+    return its.samples.quantity_kind == QuantityKind::time && !show::is_success_rate(its);  // which is in time
   });
-  const bool do_times_decide = all.front().do_times_decide();
+  const bool do_times_decide = all.front().counts_times();
   const std::string times = !do_times_decide ? "do not count in the exit code"
                             : time == judged.metrics.end()
                                 ? "are not known"
@@ -241,8 +243,9 @@ std::string screen_of(const std::vector<RegressionCheck>& all) {
   std::string text;
   for (const RegressionCheck& gate : all) {
     const std::string targets = changed_targets_text(gate);
-    text +=
-        is_told(gate) ? show::screen(answer_of(gate)) + (targets.empty() ? "" : wrapped(targets) + '\n') + '\n' : "";
+    text += is_told(gate)
+                ? show::terminal_report(answer_of(gate)) + (targets.empty() ? "" : wrapped(targets) + '\n') + '\n'
+                : "";
   }
   for (const std::string& last : {gate_note(all), verdict_of_same(all)})
     text += last.empty() ? "" : wrapped(last) + '\n';
@@ -255,13 +258,13 @@ base::OrderedJson json_of(const std::vector<RegressionCheck>& all, int code) {
   std::vector<std::string> sentences;
   for (const RegressionCheck& gate : all) {
     const std::string& label = gate.label.empty() ? gate.candidate : gate.label;
-    const show::Answer answer = answer_of(gate);
+    const show::ReportModel answer = answer_of(gate);
     base::OrderedJson report = show::to_json(answer);
     report["tests"] = base::OrderedJson::array();  // of all solvers at once: a gate has two
     for (const char* rows : {"groups", "findings"}) {
       for (auto& row : report[rows]) row["label"] = label;
     }
-    for (auto& doubt : report["doubts"]) doubt = label + ": " + doubt.get<std::string>();
+    for (auto& warning : report["doubts"]) warning = label + ": " + warning.get<std::string>();
     if (is_told(gate)) sentences.push_back(answer.verdict);
     report["metric"] = {{label, report["metric"]}};
     for (const auto& [member, value] : report.items()) {
@@ -273,9 +276,9 @@ base::OrderedJson json_of(const std::vector<RegressionCheck>& all, int code) {
         json[member] = value;
     }
     json["worse"][label] = gate.worse;
-    json["newly_missing"][label] = gate.newly_missing;
-    json["lost"][label] = gate.lost;
-    json["won"][label] = gate.won;
+    json["newly_missing"][label] = gate.new_failures;
+    json["lost"][label] = gate.newly_unsolved;
+    json["won"][label] = gate.newly_solved;
     json["better"][label] = gate.better;
     json["also_worse"][label] = gate.also_worse;
     json["also_better"][label] = gate.also_better;
@@ -293,9 +296,9 @@ std::string markdown_of(const std::vector<RegressionCheck>& all) {
   std::string text;
   for (const RegressionCheck& gate : all) {
     if (!is_told(gate)) continue;
-    const show::Answer answer = answer_of(gate);
+    const show::ReportModel answer = answer_of(gate);
     std::vector<std::string> sentences{changed_targets_text(gate)};
-    for (const Doubt& doubt : answer.all_warnings()) sentences.push_back(show::warning_sentence(doubt));
+    for (const Warning& warning : answer.all_warnings()) sentences.push_back(show::warning_sentence(warning));
     std::erase(sentences, "");
     text += fmt::format("**{}**\n\n{}\n{}\n{}\n\n", show::markdown_text(answer.verdict),
                         show::to_markdown(show::results_table(answer)), show::to_markdown(show::pairs_table(answer)),

@@ -96,13 +96,13 @@ std::string printable(std::string_view text) {
   return result + one_line(line);
 }
 
-void say(std::string_view text) { write_error(wrapped(text, columns_of(STDERR_FILENO)) + '\n'); }
+void print_message(std::string_view text) { write_error(wrapped(text, columns_of(STDERR_FILENO)) + '\n'); }
 
-void warn(std::string_view text) { say(fmt::format("warning: {}", text)); }
+void warn(std::string_view text) { print_message(fmt::format("warning: {}", text)); }
 
-void say_mistake(std::string_view text) { say(fmt::format("ikbench: {}", text)); }
+void print_error(std::string_view text) { print_message(fmt::format("ikbench: {}", text)); }
 
-void say_command(std::string_view command) { write_error(fmt::format("    {}\n", printable(command))); }
+void print_command(std::string_view command) { write_error(fmt::format("    {}\n", printable(command))); }
 
 std::size_t terminal_width() { return columns_of(STDOUT_FILENO); }
 
@@ -113,7 +113,7 @@ std::string wrapped(std::string_view text, std::size_t width) {
   for (std::size_t at = 0; at <= shown.size();) {
     const std::size_t end = std::min(shown.find('\n', at), shown.size());
     const std::vector<std::string> lines =
-        show::broken(std::string_view(shown).substr(at, end - at), width, width - indent);
+        show::wrap_words(std::string_view(shown).substr(at, end - at), width, width - indent);
     if (at > 0) result += '\n';
     result += fmt::format("{}", fmt::join(lines, '\n' + std::string(indent, ' ')));
     at = end + 1;
@@ -137,10 +137,10 @@ std::string shell_command(std::string_view program, const std::vector<std::strin
   return text;
 }
 
-std::string aligned(Rows rows, std::size_t width) {
+std::string align_columns(Rows rows, std::size_t width) {
   for (auto& row : rows)
     for (std::string& cell : row) cell = one_line(printable(cell));
-  return show::in_columns(rows, 2, width);
+  return show::align_columns(rows, 2, width);
 }
 
 SignalWatch::SignalWatch() {

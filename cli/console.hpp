@@ -26,12 +26,12 @@ std::string printable(std::string_view text);
 
 // Prints printable text on standard error, after all earlier standard output; a failure to print is ignored. Lines
 // break between words.
-void say(std::string_view text);
+void print_message(std::string_view text);
 void warn(std::string_view text);         // says "warning: " and the text
-void say_mistake(std::string_view text);  // says "ikbench: " and the text: what is wrong, and what to do
+void print_error(std::string_view text);  // says "ikbench: " and the text: what is wrong, and what to do
 
 // Says a command in a line of its own that never breaks, to paste.
-void say_command(std::string_view command);
+void print_command(std::string_view command);
 
 // Columns of standard output: those of the terminal, but at most 100; 100 where it is no terminal.
 std::size_t terminal_width();
@@ -44,7 +44,7 @@ std::string shell_command(std::string_view program, const std::vector<std::strin
 using Rows = std::vector<std::vector<std::string>>;
 // Pads columns to their widest cell; the first row is the head. If the rows are wider than `width`, the words of the
 // widest columns are wrapped.
-std::string aligned(Rows rows, std::size_t width = terminal_width());
+std::string align_columns(Rows rows, std::size_t width = terminal_width());
 
 // While it lives, a thread waits for SIGINT, SIGTERM and SIGHUP (unless started by nohup), so their handling may use
 // any function. They end the program with a sentence and 128 + the number of the signal, and remove scratch folders;

@@ -25,7 +25,7 @@ namespace {
 std::string write_archive(const std::filesystem::path& store, const std::filesystem::path& file) {
   const TemporaryFolder folder(std::filesystem::absolute(file).parent_path(), file);
   const std::filesystem::path made = folder.path() / "store.sqlite";
-  for (const std::string& why : merge(made, {store}, check_of).left_out) say("left out: " + why);
+  for (const std::string& why : merge(made, {store}, answer_check).skipped) print_message("left out: " + why);
   std::string seal;
   {
     Store archive(made, Store::Mode::write_shared);
@@ -79,9 +79,9 @@ void add_export(const Command& command, Invocation&) {
         write(fmt::format("{}  {}  {}\n", found.text, found.solves, printable(study.name)));
       });
     }
-    store.at_one_moment([&] {
+    store.in_snapshot([&] {
       const std::vector<std::string> extras = store.extra_names(study);
-      const SolveSource pass = [&](const SolveVisitor& take) { store.each_of_study(study, take); };
+      const SolveSource pass = [&](const SolveVisitor& take) { store.for_each_in_study(study, take); };
       write_it([&](const Write& write) { write_csv(pass, write, extras); });
     });
   });

@@ -41,7 +41,7 @@ std::string solver_details(std::string_view name) {
   return fmt::format("{}\n\n{}",
                      wrapped(fmt::format("{}: {}\nsource: {}; cite {}{}", info.name, info.summary, info.source,
                                          cited_for(info.name), library)),
-                     aligned(options));
+                     align_columns(options));
 }
 
 std::string study_details(const std::string& name) {
@@ -70,14 +70,14 @@ Rows list_of(std::string_view kind) {
       rows.push_back({arm.name, fmt::to_string(arm.joints()), arm.summary, cited_for(arm.name)});
   } else if (kind == "studies") {
     rows = {{"NAME", "SOLVERS", "RUNS", "POINTS", "WHAT"}};
-    for (const Study& study : studies())
+    for (const Study& study : built_in_studies())
       rows.push_back({study.name, fmt::to_string(study.solvers.size()), fmt::to_string(study.runs),
                       fmt::to_string(study.path->points()), study.title});
   } else if (kind == "paths") {
     rows = {{"NAME", "TARGETS", "WHAT"}};
-    for (const Path& path : paths())
+    for (const Path& path : target_sets())
       rows.push_back({std::string(path->name()),
-                      path->is_drawn() ? "random, different in every run" : "the same in every run",
+                      path->is_random() ? "random, different in every run" : "the same in every run",
                       std::string(path->summary())});
   } else if (kind == "columns") {
     rows = {{"COLUMN", "TYPE", "MEANING"}};
@@ -87,8 +87,8 @@ Rows list_of(std::string_view kind) {
     rows = {{"METRIC", "UNIT", "BETTER", "OF", "WHAT"}};
     for (const judge::Metric& metric : judge::metrics())
       rows.push_back({std::string(metric.column), std::string(metric.unit),
-                      metric.kind == judge::Kind::share ? "larger" : "smaller",
-                      metric.kind == judge::Kind::run ? "run" : "solve", std::string(metric.name)});
+                      metric.kind == judge::MetricKind::success_rate ? "larger" : "smaller",
+                      metric.kind == judge::MetricKind::per_run ? "run" : "solve", std::string(metric.name)});
   } else {
     rows = {{"NAME", "IN USE"}};
     for (const InstructionSet set : instruction_sets())
@@ -99,10 +99,11 @@ Rows list_of(std::string_view kind) {
 
 std::string listed(const std::string& kind, const std::string& name) {
   if (kind == "figures" && name.empty()) return figure_list_text();
-  if (name.empty()) return aligned(list_of(kind));
+  if (name.empty()) return align_columns(list_of(kind));
   if (kind == "solvers") return solver_details(name);
   if (kind == "studies") return study_details(name);
-  if (kind == "paths") return to_toml(find_named("path", name, paths(), [](const Path& path) { return path->name(); }));
+  if (kind == "paths")
+    return to_toml(find_named("path", name, target_sets(), [](const Path& path) { return path->name(); }));
   throw std::invalid_argument(kind == "robots" ? fmt::format("an arm is shown by: ikbench robot {}", name)
                                                : fmt::format("list {} takes no name; leave out {}", kind, name));
 }

@@ -40,7 +40,7 @@ class Help : public CLI::Formatter {
  public:
   std::string make_option_desc(const CLI::Option* option) const override {
     const std::size_t width = cli::terminal_width() - get_column_width();
-    return fmt::format("{}", fmt::join(ikbench::show::broken(option->get_description(), width, width), "\n"));
+    return fmt::format("{}", fmt::join(ikbench::show::wrap_words(option->get_description(), width, width), "\n"));
   }
   std::string make_footer(const CLI::App* app) const override {
     return cli::wrapped("Examples:\n" + app->get_footer()) + '\n';
@@ -55,7 +55,7 @@ int exit_code_of(const CLI::App& app, const CLI::ParseError& error, const std::s
   std::vector<std::string> names;
   if (chosen.empty() && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
     for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
-    cli::say_mistake(unknown_name("command", first, names));
+    cli::print_error(unknown_name("command", first, names));
     return 1;
   }
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
@@ -64,12 +64,12 @@ int exit_code_of(const CLI::App& app, const CLI::ParseError& error, const std::s
   if (option != rest.end() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     for (const CLI::Option* each : command.get_options())
       for (const std::string& name : each->get_lnames()) names.push_back("--" + name);
-    cli::say_mistake(unknown_name("option of " + command.get_name(), option->substr(0, option->find('=')), names));
+    cli::print_error(unknown_name("option of " + command.get_name(), option->substr(0, option->find('=')), names));
     return 1;
   }
   if (app.exit(error) != 0) return 1;
   if (std::cout.flush()) return 0;
-  cli::say_mistake(unwritten);
+  cli::print_error(unwritten);
   return 2;
 }
 
@@ -79,7 +79,7 @@ int exit_code_of(const std::exception& error) {
   // No space left, a store that another process writes, ...
   const bool is_of_system = dynamic_cast<const std::runtime_error*>(&error) != nullptr;
   const bool is_thread = of_system != nullptr && of_system->code() == std::errc::resource_unavailable_try_again;
-  cli::say_mistake(of_system != nullptr && std::ferror(stdout) != 0 ? unwritten
+  cli::print_error(of_system != nullptr && std::ferror(stdout) != 0 ? unwritten
                    : dynamic_cast<const std::bad_alloc*>(&error) != nullptr
                        ? "there is not enough memory (ulimit -v, or the machine's)"
                        : fmt::format("{}{}{}", is_mistake || is_of_system ? "" : "internal error: ", error.what(),
@@ -125,9 +125,9 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return exit_code_of(app, error, first);
   } catch (const ikbench::robots::LinkQuestion& question) {
-    cli::say_mistake(std::string(question.what()) + "; type one of");
+    cli::print_error(std::string(question.what()) + "; type one of");
     for (const auto& [option, link, joints] : question.answers)
-      cli::say_command(
+      cli::print_command(
           fmt::format("{}    # {}", cli::shell_command(invocation.command, {option, link}), counted(joints, "joints")));
     return 1;
   } catch (const std::exception& error) {

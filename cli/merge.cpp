@@ -69,16 +69,17 @@ void add_merge(const Command& command, Invocation& invocation) {
     for (const std::string& place : arguments->places) std::ranges::copy(stores_in(place), std::back_inserter(stores));
     const MergeResult merged = [&] {
       ProgressBar bar("merging", "stores");
-      return merge(out, stores, experiments::recheck_of,
+      return merge(out, stores, experiments::stored_solve_check,
                    [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); });
     }();
     fmt::print("{}\n", wrapped(fmt::format("{}: {} added from {}, {} were there with the same bits", out.string(),
                                            base::counted(merged.added, "solves"),
-                                           base::counted(merged.stores, "stores"), merged.known)));
-    for (const std::string& lack : merged.lacks) say(lack + "; solve its missing shards, then merge again");
-    for (const std::string& why : merged.left_out) say("left out: " + why);
-    if (!merged.lacks.empty()) invocation.exit_code = 5;
-    if (!merged.left_out.empty()) invocation.exit_code = 1;
+                                           base::counted(merged.stores, "stores"), merged.duplicates)));
+    for (const std::string& lack : merged.incomplete)
+      print_message(lack + "; solve its missing shards, then merge again");
+    for (const std::string& why : merged.skipped) print_message("left out: " + why);
+    if (!merged.incomplete.empty()) invocation.exit_code = 5;
+    if (!merged.skipped.empty()) invocation.exit_code = 1;
   });
 }
 

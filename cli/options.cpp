@@ -59,7 +59,7 @@ Option Option::whole_number(std::pair<std::int64_t, std::int64_t> range) const {
   return {in_cli11->check(mistake, name)};
 }
 
-Option Command::add(const std::string& name, Value value, const std::string& meaning) const {
+Option Command::add(const std::string& name, OptionTarget value, const std::string& meaning) const {
   const auto added = [&](auto* its) {
     using Kept = std::remove_pointer_t<decltype(its)>;
     if constexpr (std::is_same_v<Kept, bool>) return in_cli11->add_flag(name, *its, meaning);

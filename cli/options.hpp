@@ -46,13 +46,13 @@ struct Option {
 };
 
 // Where the value of an option is kept; a bool is a flag.
-using Value =
+using OptionTarget =
     std::variant<bool*, int*, std::int64_t*, double*, std::string*, std::vector<double>*, std::vector<std::string>*>;
 
 struct Command {
   // A text may not be empty, as an unset variable of a script is. --help shows a default that is neither empty nor
   // below what can be given, 0. A named one that fills a list of texts is given once for each.
-  Option add(const std::string& name, Value value, const std::string& meaning) const;
+  Option add(const std::string& name, OptionTarget value, const std::string& meaning) const;
   Option option(const std::string& name) const;  // that was added
   bool was_given(const std::string& option) const;
   void footer(const std::string& text) const;  // of its --help

@@ -27,7 +27,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   if (out.empty()) throw std::invalid_argument("several stores: where shall the table be written? --out FOLDER");
   if (report.is_json || !report.figures.empty() || !report.styles.empty() || !report.beside.empty())
     throw std::invalid_argument("several stores make one table: without --json, --figures, --style and --beside");
-  std::vector<show::Answer> studies;
+  std::vector<show::ReportModel> studies;
   std::vector<std::string> names, arms, folders;
   std::set<std::string> keys;  // of all series
   for (const std::string& file : files) {
@@ -50,9 +50,9 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   show::Table table = show::studies_table(studies, told);
   const auto unit = &show::Column::unit;
   if (files.size() > 6 && std::ranges::count(table.columns, table.columns.back().unit, unit) == std::ssize(files))
-    table = show::with_a_row_a_study(table);
+    table = show::transposed(table);
   const std::filesystem::path folder = out;
-  show::claim(folder, show::report_files({table.name}, {}));
+  show::reserve_files(folder, show::report_files({table.name}, {}));
   show::write_table(table, table, folder / "tables", program_name());
   fmt::print("{}Table: {}.*\n", printable(show::to_text(table)), printable((folder / "tables" / table.name).string()));
 }

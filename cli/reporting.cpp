@@ -65,7 +65,7 @@ std::string style_text(const std::string& name) {
 std::vector<std::string> never_answering(const judge::StudyResults& study) {
   std::vector<std::string> labels;
   for (const std::string& label : study.labels) {
-    const auto failed = [](const judge::Solve& solve) {
+    const auto failed = [](const judge::SolveSummary& solve) {
       return solve.status >= Status::crashed && solve.status <= Status::broke_protocol;
     };
     const judge::Solves all = study.of(label);
@@ -81,7 +81,7 @@ bool tell_silent(const judge::StudyResults& solved, bool is_json) {
   const std::string text =
       fmt::format("{} gave no answer in any solve (crash, time-out or protocol).", base::listed(silent));
   if (is_json)
-    say(text);
+    print_message(text);
   else
     fmt::print("{}\n", wrapped(text));
   return true;
@@ -103,12 +103,12 @@ void add_report_options(const Command& command, ReportArguments& arguments, bool
 std::string figure_list_text() {
   Rows rows{{"FIGURE", "OF"}};
   for (const auto& [name, meaning] : show::figure_list()) rows.push_back({name, meaning});
-  return aligned(rows) + fmt::format("\nStyles (--style): {}\n", fmt::join(shipped_styles(), ", ")) +
+  return align_columns(rows) + fmt::format("\nStyles (--style): {}\n", fmt::join(shipped_styles(), ", ")) +
          "\nKeys of [figures] in a study, or of a file (--style FILE)\n" + to_toml(FigureStyle()) +
          "\n[words.FIGURE]  # of a file, with x, y and caption: what its axes and its caption say\n";
 }
 
-FigureStyle styled(FigureStyle style, const std::vector<std::string>& labels, const ReportArguments& arguments) {
+FigureStyle apply_style(FigureStyle style, const std::vector<std::string>& labels, const ReportArguments& arguments) {
   for (const std::string& name : arguments.styles) read_style_text(style_text(name), name, style);
   std::vector<std::string> named, texts = labels;
   for (const auto& [name, words] : style.words) {
@@ -145,22 +145,22 @@ std::vector<std::string> citation_keys_of(std::string_view name) {
   return keys;
 }
 
-void announce(show::Report reported, const std::filesystem::path& folder, const ReportArguments& arguments,
-              const FigureStyle& style, const std::string& screen) {
+void write_and_print(show::Report reported, const std::filesystem::path& folder, const ReportArguments& arguments,
+                     const FigureStyle& style, const std::string& screen) {
   std::set<std::string> names, keys;
   for (const Series& series : reported.study.series)
     names.insert({series.algorithm, reported.study.definition.robot, reported.study.definition.published});
   names.erase("");
   for (const std::string& name : names) std::ranges::copy(citation_keys_of(name), std::inserter(keys, keys.end()));
-  reported.keys.assign(keys.begin(), keys.end());
+  reported.citation_keys.assign(keys.begin(), keys.end());
   reported.references = references[0].text;
   std::optional<ProgressBar> bar(std::in_place, "drawing", "figures");
-  show::Written written =
-      show::publish(reported, folder,
-                    {.only = arguments.figures,
-                     .progress = [&](std::int64_t done, std::int64_t all) { bar->show({.done = done, .total = all}); },
-                     .style = style},
-                    program_name());
+  show::WrittenReport written = show::write_report(
+      reported, folder,
+      {.only = arguments.figures,
+       .progress = [&](std::int64_t done, std::int64_t all) { bar->show({.done = done, .total = all}); },
+       .style = style},
+      program_name());
   bar.reset();  // leaves its line to the screen
   for (const std::string& warning : written.warnings) warn(warning);
   const auto is_there = [&](const std::string& name) {
@@ -177,21 +177,21 @@ void announce(show::Report reported, const std::filesystem::path& folder, const 
     return show_json(json);
   }
   const std::string page = written.page.string();
-  fmt::print("{}", printable(screen.empty() ? show::screen(reported.answer, page)
+  fmt::print("{}", printable(screen.empty() ? show::terminal_report(reported.answer, page)
                                             : fmt::format("{}Report: {}\n", screen, page)));
 }
 
 bool write_and_announce(const Store& store, const StoredStudy& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments, const std::optional<judge::StudyResults>& beside) {
   const FigureStyle style =
-      styled(study.definition.figures, labels_of(study), arguments);  // refuses before the study is read
+      apply_style(study.definition.figures, labels_of(study), arguments);  // refuses before the study is read
   judge::StudyResults solved = read_and_export(store, study, folder);
   const bool are_silent = tell_silent(solved, arguments.is_json);
   if (beside) judge::add_imported(solved, *beside);
   judge::JudgedStudy judged = judge::judge(std::move(solved));
   const figures::Look look = figures::look_of(judged, style);
   std::vector<figures::Figure> pictures = figures::of_study(judged, look);
-  announce(show::make_report(std::move(judged), std::move(pictures)), folder, arguments, look.style);
+  write_and_print(show::make_report(std::move(judged), std::move(pictures)), folder, arguments, look.style);
   return are_silent;
 }
 
@@ -207,7 +207,7 @@ std::optional<judge::StudyResults> imported_results(const StoredStudy& study, co
   if (arguments.beside.empty()) return {};
   judge::StudyResults theirs;
   if (arguments.beside == judge::archive_name) {
-    theirs = judge::archived(study.definition.robot);
+    theirs = judge::read_archive(study.definition.robot);
     const std::string lm = fmt::format("[[solvers]]\nsolver = \"{}\"", judge::time_reference_solver);
     Overrides settings = judge::archive_settings();
     settings.push_back("robot=" + study.definition.robot);
@@ -220,18 +220,19 @@ std::optional<judge::StudyResults> imported_results(const StoredStudy& study, co
     const std::vector<StoredStudy> named = store.studies(study.name);
     theirs = read_checked(store, named.empty() ? store.study("") : named.front());
     const std::string began = theirs.sessions.empty() ? "" : theirs.sessions.front().began;
-    theirs.beside.of = "in " + arguments.beside +
-                       (began.size() < 7 ? "" : fmt::format(", {}/{}", began.substr(5, 2), began.substr(0, 4)));
+    theirs.imported.origin = "in " + arguments.beside +
+                             (began.size() < 7 ? "" : fmt::format(", {}/{}", began.substr(5, 2), began.substr(0, 4)));
   }
-  judge::refuse_another_study(theirs, study);
+  judge::require_same_study(theirs, study);
   return theirs;
 }
 
 judge::StudyResults read_checked(const Store& store, const StoredStudy& entry, const SolveVisitor& also) {
-  judge::StudyResults study = judge::read_study(store, entry, [&, check = recheck_of(entry)](const SolveRecord& solve) {
-    check(solve);
-    if (also) also(solve);
-  });
+  judge::StudyResults study =
+      judge::read_study(store, entry, [&, check = stored_solve_check(entry)](const SolveRecord& solve) {
+        check(solve);
+        if (also) also(solve);
+      });
   if (study.solves.empty())
     throw std::invalid_argument(
         fmt::format("no solve of {} in the store is by its solvers as they are now; run the study", entry.name));
@@ -243,7 +244,7 @@ judge::StudyResults read_and_export(const Store& store, const StoredStudy& entry
   const auto pass = [&](const SolveVisitor& take) { study = read_checked(store, entry, take); };
   write_file(folder / "solves.csv", [&](const Write& write) {
     write_csv(pass, write, store.extra_names(entry));
-    show::claim(folder, {"solves.csv"});  // now that all solves are read, and before it has its name
+    show::reserve_files(folder, {"solves.csv"});  // now that all solves are read, and before it has its name
   });
   return study;
 }

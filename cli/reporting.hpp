@@ -28,15 +28,15 @@ std::string figure_list_text();
 void add_report_options(const Command& command, ReportArguments& arguments, bool is_of_study = false);
 // Of a study of these labels, with the style file, if there is one. Throws std::invalid_argument for what cannot be
 // drawn. Call it before anything is solved.
-results::FigureStyle styled(results::FigureStyle style, const std::vector<std::string>& labels,
-                            const ReportArguments& arguments);
+results::FigureStyle apply_style(results::FigureStyle style, const std::vector<std::string>& labels,
+                                 const ReportArguments& arguments);
 std::vector<std::string> labels_of(const results::StoredStudy& stored);
 
 // The keys of docs/references.bib whose keywords name a solver, an arm or a paper.
 std::vector<std::string> citation_keys_of(std::string_view name);
 // Writes the report into the folder, and prints its screen (the study's, if it is empty) or JSON.
-void announce(show::Report reported, const std::filesystem::path& folder, const ReportArguments& arguments,
-              const results::FigureStyle& style, const std::string& screen = {});
+void write_and_print(show::Report reported, const std::filesystem::path& folder, const ReportArguments& arguments,
+                     const results::FigureStyle& style, const std::string& screen = {});
 // What stands beside a study; none if nothing does. Throws std::invalid_argument if it is of another.
 std::optional<judge::StudyResults> imported_results(const results::StoredStudy& study,
                                                     const ReportArguments& arguments);

@@ -95,12 +95,12 @@ papers::SolvedMultiverse solved_multiverse(const Arguments& arguments, const std
   const MultiversePlan plan = plan_multiverse(study, varied, seeds, overridden_runs(arguments));
   std::optional<ProgressBar> bar("readings");
   const std::vector<SeriesMeans> means =
-      solve_parts(plan.parts, {.jobs = jobs_of(arguments),
-                               .progress = [&](const Progress& progress) { bar->show(progress); },
-                               .cancelled = &signals.requested()});
+      solve_multiverse(plan.parts, {.jobs = jobs_of(arguments),
+                                    .progress = [&](const Progress& progress) { bar->show(progress); },
+                                    .cancelled = &signals.requested()});
   bar.reset();  // leaves its line to the next words
   if (signals.end()) {
-    say("Stopped. Readings are judged together, so none is kept; the same command solves them anew.");
+    print_message("Stopped. Readings are judged together, so none is kept; the same command solves them anew.");
     throw Cancelled();
   }
   papers::SolvedMultiverse multiverse{plan, {}};
@@ -110,7 +110,7 @@ papers::SolvedMultiverse solved_multiverse(const Arguments& arguments, const std
 }
 
 papers::JudgedMultiverse judged_readings(const Arguments& arguments, const Paper& paper) {
-  const std::vector<Dimension> all = dimensions(paper.name);
+  const std::vector<Dimension> all = read_dimensions(paper.name);
   if (arguments.seeds == 0 || all.empty()) return {};
   return papers::judged(paper, solved_multiverse(arguments, paper.name, all, arguments.seeds),
                         load_study(paper.name).plan);
@@ -145,14 +145,15 @@ CsvTable programs_of(const Paper& paper, const std::filesystem::path& folder, st
 }
 
 // What only its companions doubt.
-std::vector<std::string> warnings_of(const papers::Repeated& repeated, const show::Answer& own) {
+std::vector<std::string> warnings_of(const papers::Repeated& repeated, const show::ReportModel& own) {
   std::vector<std::string> told;
-  for (const judge::Doubt& doubt : own.all_warnings()) told.push_back(words_of(doubt));
-  show::NamesByPhrase doubts;
+  for (const judge::Warning& warning : own.all_warnings()) told.push_back(warning_text(warning));
+  show::NamesByPhrase warnings;
   for (const judge::JudgedStudy& companion : repeated.studies.subspan(1))
-    for (const judge::Doubt& doubt : show::answer_of(companion).all_warnings())
-      if (std::ranges::count(told, words_of(doubt)) == 0) doubts.add(words_of(doubt), companion.study.name);
-  return doubts.told("{1}: {0}.");
+    for (const judge::Warning& warning : show::answer_of(companion).all_warnings())
+      if (std::ranges::count(told, warning_text(warning)) == 0)
+        warnings.add(warning_text(warning), companion.study.name);
+  return warnings.formatted("{1}: {0}.");
 }
 
 // Figures and tables by the paper's numbers, for each of its readings.
@@ -161,8 +162,8 @@ void add_slim2023(show::Report& reported, const papers::Repeated& repeated, cons
   std::vector<figures::Figure> of_circle;
   if (const judge::JudgedStudy* const dobot = repeated.part("dobot"))
     of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.series, style));
-  reported.additions = slim2023::sections(repeated, of_circle);
-  show::Blocks& by_other = reported.additions.emplace_back();
+  reported.extra_sections = slim2023::sections(repeated, of_circle);
+  show::Blocks& by_other = reported.extra_sections.emplace_back();
   for (const papers::Repeated& reading : repeated.readings()) {
     if (reading.suffix().empty()) continue;
     by_other.emplace_back(show::Heading{"Figures with " + reading.reading()});
@@ -172,14 +173,14 @@ void add_slim2023(show::Report& reported, const papers::Repeated& repeated, cons
     }
   }
   std::erase_if(reported.answer.metrics,  // the paper has none; a warning says who takes twice as many
-                [](const auto& each) { return each.observations.measures == judge::QuantityKind::evaluations; });
+                [](const auto& each) { return each.samples.quantity_kind == judge::QuantityKind::evaluations; });
 }
 
 // The first of the studies is the paper's own.
 void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, const Arguments& arguments,
             const std::filesystem::path& folder, const papers::JudgedMultiverse& readings) {
   const judge::StudyResults& own = all.front().study;
-  const FigureStyle style = styled(own.definition.figures, labels_of(own), arguments.report);
+  const FigureStyle style = apply_style(own.definition.figures, labels_of(own), arguments.report);
   std::string text;
   const CsvTable programs = programs_of(paper, folder, text);
   const papers::Repeated repeated{.paper = paper, .studies = all, .programs = &programs};
@@ -195,25 +196,26 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
                                                          : has_arms  ? std::vector<figures::Figure>()
                                                                      : figures::of_study(all.front(), look));
   reported.has_own_numbers = is_slim2023 || has_arms;
-  reported.warnings = warnings_of(repeated, reported.answer);
+  reported.extra_warnings = warnings_of(repeated, reported.answer);
   if (is_slim2023) add_slim2023(reported, repeated, look, style);
   const std::vector<std::string> sentences =
       is_slim2023 ? slim2023::sentences(claims, counts) : papers::rates_sentences(repeated);
-  reported.first = papers::beginning(paper, sentences, means);
+  reported.lead = papers::beginning(paper, sentences, means);
   if (has_arms)
-    reported.first.emplace_back(fmt::format("Of {} alone: the arm that moves, who is better, and the set-up.",
-                                            paper.rates.rows.at(all.front().study.definition.robot)));
+    reported.lead.emplace_back(fmt::format("Of {} alone: the arm that moves, who is better, and the set-up.",
+                                           paper.rates.rows.at(all.front().study.definition.robot)));
   if (const auto figure = papers::rates_figure(repeated))
-    reported.additions.push_back({show::Heading{"Ours and the printed"}, *figure});
+    reported.extra_sections.push_back({show::Heading{"Ours and the printed"}, *figure});
   for (const auto& [table, words] : paper.rates.tables)
     if (table != paper.rates.tables.begin()->first)
-      reported.additions.push_back({show::Heading{"Printed by " + words}, papers::rates_table(repeated, table)});
+      reported.extra_sections.push_back({show::Heading{"Printed by " + words}, papers::rates_table(repeated, table)});
   reported.claims = papers::claims_section(claims);
   if (!readings.in_readings.empty())
-    reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.table});
-  announce(reported, folder, arguments.report, look.style,
-           fmt::format("{}{}\n", papers::screen(sentences, means, claims),
-                       fingerprints_of(Store(store_path(folder), Store::Mode::read), all, studies_of(paper, {}))));
+    reported.extra_sections.push_back({show::Heading{"What the paper leaves open"}, readings.table});
+  write_and_print(
+      reported, folder, arguments.report, look.style,
+      fmt::format("{}{}\n", papers::screen(sentences, means, claims),
+                  fingerprints_of(Store(store_path(folder), Store::Mode::read), all, studies_of(paper, {}))));
 }
 
 }  // namespace
@@ -241,8 +243,8 @@ void add_reproduce(const Command& command, Invocation& invocation) {
   command.callback([arguments, &invocation, command] {
     const Paper& paper = papers::paper_named(arguments->paper);
     // A mistake in it shows before hours are spent.
-    static_cast<void>(styled({}, labels_of(load_study(paper.studies.front())), arguments->report));
-    if (command.was_given("--readings") && arguments->seeds > 0 && dimensions(paper.name).empty())
+    static_cast<void>(apply_style({}, labels_of(load_study(paper.studies.front())), arguments->report));
+    if (command.was_given("--readings") && arguments->seeds > 0 && read_dimensions(paper.name).empty())
       throw std::invalid_argument(
           fmt::format("--readings: the program has no open questions of {}; leave it out", paper.name));
     const std::filesystem::path folder = output_folder(paper.studies.front(), arguments->run.out);

@@ -72,7 +72,7 @@ std::string joint_table(const Robot& arm) {
     if (!names.empty()) rows.back().push_back(names[static_cast<std::size_t>(j)]);
   }
   constexpr std::size_t any_width = 1000;  // digits do not break into lines
-  return aligned(rows, any_width);
+  return align_columns(rows, any_width);
 }
 
 std::string reach_text(const Robot& arm) {
@@ -101,8 +101,8 @@ Configuration joints_at(const Robot& arm, const std::string& text) {
   const Configuration units = experiments::joint_units(arm.chain);
   const Eigen::Map<const Eigen::VectorXd> q(at.data(), arm.joints());
   for (Eigen::Index j = 0; j < q.size(); ++j)
-    if (const std::string_view doubt = doubt_of_angle(q[j], units[j]); !doubt.empty() && !arm.chain.slides(j))
-      throw std::invalid_argument(fmt::format("--at: {} {}", q[j], doubt));
+    if (const std::string_view warning = doubt_of_angle(q[j], units[j]); !warning.empty() && !arm.chain.slides(j))
+      throw std::invalid_argument(fmt::format("--at: {} {}", q[j], warning));
   return q.cwiseProduct(units);
 }
 
@@ -160,7 +160,7 @@ void add_robot(const Command& command, Invocation&) {
     if (arguments->shows_urdf) return fmt::print("{}", urdf_of(arm, arm.chain));
     const Configuration q = joints_at(arm, arguments->at);
     fmt::print("{}{}\n", robot_text(arm), wrapped(tool_text(arm, q)));
-    for (const std::string& doubt : doubts_of(arm)) warn(doubt);
+    for (const std::string& warning : doubts_of(arm)) warn(warning);
   });
 }
 

@@ -97,7 +97,7 @@ Study study_of(const StudyToRun& arguments) {
   Study study = is_store(name) ? study_of_store(arguments) : load_study(name, overrides_of(arguments));
   // A built-in study, whose name is no file's, keeps its store for its own arm.
   if (!arguments.robot.empty() && study.name == name)
-    study.name = (is_of_any_arm ? "" : study.name + '-') + arm_of(study).name;
+    study.name = (is_of_any_arm ? "" : study.name + '-') + robot_of(study).name;
   if (!arguments.only.empty()) select_solvers(study, arguments.only);
   if (arguments.report.beside == judge::archive_name) {  // its study, with these solvers and the unit of its times
     study.name += fmt::format("-{}", judge::archive_name);
@@ -107,7 +107,7 @@ Study study_of(const StudyToRun& arguments) {
       study.solvers.push_back({.label = "ikbench's LM", .solver = std::string(judge::time_reference_solver)});
   }
   // A mistake in it shows before hours are spent.
-  static_cast<void>(styled({study.figures}, labels_of(study), arguments.report));
+  static_cast<void>(apply_style({study.figures}, labels_of(study), arguments.report));
   const std::vector<judge::Metric> metrics = judge::metrics_of(study);
   if (!study.plan.metric.empty()) static_cast<void>(judge::metric_named(study.plan.metric, metrics));
   return study;

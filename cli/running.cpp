@@ -20,19 +20,19 @@ namespace {
 // Of its arm, targets and solvers.
 void tell_of(const Study& study) {
   if (const auto& arm = study.robot_of_file; arm != nullptr) {
-    if (!arm->tip_link.empty()) say(fmt::format("arm: {} ({})", arm->summary, robots::size_of(*arm)));
-    for (const std::string& note : arm->notes) say(note);
-    for (const std::string& doubt : robots::doubts_of(*arm)) warn(doubt);
+    if (!arm->tip_link.empty()) print_message(fmt::format("arm: {} ({})", arm->summary, robots::size_of(*arm)));
+    for (const std::string& note : arm->notes) print_message(note);
+    for (const std::string& warning : robots::doubts_of(*arm)) warn(warning);
   }
-  for (const std::string& note : study.notes) say(note);
-  if (const std::vector<UnreachableTarget> beyond = unreachable(study); !beyond.empty()) {
+  for (const std::string& note : study.notes) print_message(note);
+  if (const std::vector<UnreachableTarget> beyond = unreachable_targets(study); !beyond.empty()) {
     const auto& [point, distance, reach] = beyond.front();
     warn(fmt::format(
         "{} of a run are out of reach; point {} is {:.2f} cm from the shoulder, and the arm reaches {:.2f} cm",
         counted(std::ssize(beyond), "points"), point, distance * 100, reach * 100));
   }
   std::map<std::string, std::vector<std::string>> labels_by_why;
-  for (const SkippedSolver& entry : study.left_out) labels_by_why[entry.why].push_back(entry.label);
+  for (const SkippedSolver& entry : study.skipped) labels_by_why[entry.reason].push_back(entry.label);
   std::vector<std::string> left_out;
   for (const auto& [why, labels] : labels_by_why)
     left_out.push_back(fmt::format("{} ({})", fmt::join(labels, ", "), why));
@@ -58,7 +58,7 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
     warn(fmt::format("{} jobs share {}", request.jobs, counted(std::thread::hardware_concurrency(), "processors")));
   }
   // A transaction for each solve would cost more than many a solve; in a shared store each waits for the disk.
-  request.patience = std::chrono::milliseconds(mode == Store::Mode::write_shared ? 1000 : 20);
+  request.flush_interval = std::chrono::milliseconds(mode == Store::Mode::write_shared ? 1000 : 20);
   Store store(store_path(folder), mode);
   for (const StoredStudy& earlier : store.studies(study.name)) {
     const std::string difference = difference_in_solves(earlier.definition.json, stored.definition.json);
@@ -80,8 +80,8 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
     progress = run(study, stored, store, request);
     is_cancelled = signals.end();
   }
-  for (const std::string& note : progress.notes) warn(note);
-  if (const auto files = store.finish(); files.size() > 1)
+  for (const std::string& note : progress.anomalies) warn(note);
+  if (const auto files = store.close(); files.size() > 1)
     warn(fmt::format(
         "another program has {0} open, so part of the data is still in {1}; copy both files together, or close "
         "that program and run this command again to merge them",
@@ -95,8 +95,8 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
           store_path(folder).string(), there, progress.done));
   }
   if (is_cancelled) {
-    say(fmt::format("Stopped: {} of {} solves are kept in {}; run the same command again to continue.", progress.done,
-                    progress.total, store_path(folder).string()));
+    print_message(fmt::format("Stopped: {} of {} solves are kept in {}; run the same command again to continue.",
+                              progress.done, progress.total, store_path(folder).string()));
     throw Cancelled();
   }
   return fmt::format("{}{}: {} in {}{}", study.name,

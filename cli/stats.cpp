@@ -49,7 +49,7 @@ std::string contents_of(const std::string& file) {
 std::string direction_of(const std::vector<judge::JudgedMetric>& metrics) {
   std::vector<std::string> larger;
   for (const judge::JudgedMetric& metric : metrics)
-    if (metric.observations.better == judge::Better::larger) larger.push_back(metric.observations.quantity);
+    if (metric.samples.better == judge::Better::larger) larger.push_back(metric.samples.quantity);
   if (larger.size() == metrics.size()) return "larger is better";
   return "smaller is better" + (larger.empty() ? "" : fmt::format(" ({}: larger)", fmt::join(larger, ", ")));
 }
@@ -60,18 +60,18 @@ show::Report judged(const StatsArguments& arguments, FigureStyle& style) {
   refuse_no_table(text, arguments.file);
   csv::Quantities quantities = csv::read(text, source, arguments.csv);
   std::vector<judge::JudgedMetric> metrics;
-  for (judge::MetricSamples& observed : quantities.observed) {
-    const results::AnalysisPlan plan = csv::with_margin(arguments.plan, arguments.margin, observed);
+  for (judge::MetricSamples& samples : quantities.observed) {
+    const results::AnalysisPlan plan = csv::with_margin(arguments.plan, arguments.margin, samples);
     if (arguments.margin.empty() && plan.margin == 0)
-      quantities.notes.push_back(fmt::format("Of {}, which may be negative, no margin is used.", observed.quantity));
-    metrics.push_back(judge::judge(std::move(observed), plan));
+      quantities.notes.push_back(fmt::format("Of {}, which may be negative, no margin is used.", samples.quantity));
+    metrics.push_back(judge::judge(std::move(samples), plan));
   }
   show::Report reported;
   if (!arguments.out.empty()) {
     std::vector<results::Series> groups;
-    for (const judge::Group& group : metrics.front().observations.groups)
+    for (const judge::Group& group : metrics.front().samples.groups)
       groups.push_back({.label = group.name, .algorithm = group.name});
-    style = styled({}, labels_of({.series = groups}), arguments.report);
+    style = apply_style({}, labels_of({.series = groups}), arguments.report);
     const figures::Look look = figures::look_of(groups, style);
     reported.figures = figures::of_file(metrics, look);
     style = look.style;
@@ -79,7 +79,7 @@ show::Report judged(const StatsArguments& arguments, FigureStyle& style) {
   const std::string direction = direction_of(metrics);
   reported.answer = show::answer_of(std::move(metrics));
   reported.answer.direction = direction;
-  if (reported.answer.decisive().observations.is_paired) reported.answer.noun = "blocks";
+  if (reported.answer.primary().samples.is_paired) reported.answer.noun = "blocks";
   reported.study.name = std::filesystem::path(source).filename().string();
   reported.answer.notes = std::move(quantities.notes);
   return reported;
@@ -94,24 +94,24 @@ void stats(const StatsArguments& arguments) {
   }
   FigureStyle style;
   show::Report reported = judged(arguments, style);
-  if (!arguments.out.empty()) return announce(std::move(reported), arguments.out, arguments.report, style);
+  if (!arguments.out.empty()) return write_and_print(std::move(reported), arguments.out, arguments.report, style);
   if (arguments.report.is_json) return show_json(show::to_json(reported.answer));
-  if (reported.answer.decisive().findings.size() > show::max_pairs)
+  if (reported.answer.primary().comparisons.size() > show::max_pairs)
     reported.answer.notes.emplace_back("--out FOLDER writes a report with all pairs.");
-  fmt::print("{}", printable(show::screen(reported.answer, "")));
+  fmt::print("{}", printable(show::terminal_report(reported.answer, "")));
 }
 
 // Prints the question with the commands that answer it.
-void ask(const csv::Question& question, const Invocation& invocation) {
-  say_mistake(question.what());
+void ask(const csv::MissingOption& question, const Invocation& invocation) {
+  print_error(question.what());
   if (!question.columns.empty()) {
-    const std::string table = aligned(question.columns);
-    say(std::string_view(table).substr(0, table.size() - 1));
+    const std::string table = align_columns(question.columns);
+    print_message(std::string_view(table).substr(0, table.size() - 1));
   }
   for (const std::vector<std::string>& answer : question.answers)
-    say_command(shell_command(invocation.command, answer));
-  if (!question.options.empty()) say_command(shell_command(invocation.command, question.options));
-  if (!question.advice.empty()) say(question.advice + " Examples: docs/your-own-csv.md");
+    print_command(shell_command(invocation.command, answer));
+  if (!question.options.empty()) print_command(shell_command(invocation.command, question.options));
+  if (!question.advice.empty()) print_message(question.advice + " Examples: docs/your-own-csv.md");
 }
 
 }  // namespace
@@ -165,12 +165,12 @@ void add_stats(const Command& command, Invocation& invocation) {
           "--missing worst: a mean cannot count a value without an answer; use --missing drop, or --test ranks");
     try {
       stats(*arguments);
-    } catch (const csv::Question& question) {
+    } catch (const csv::MissingOption& question) {
       ask(question, invocation);
       invocation.exit_code = 1;
     } catch (const NotATable& mistake) {
-      say_mistake(mistake.what());
-      if (!mistake.command.empty()) say_command(mistake.command);
+      print_error(mistake.what());
+      if (!mistake.command.empty()) print_command(mistake.command);
       invocation.exit_code = 1;
     }
   });

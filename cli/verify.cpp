@@ -42,9 +42,8 @@ bool is_as_archived(const Store& store, const std::string& fact, std::string_vie
 // Throws where rows were changed, or the seal is not the one that was given.
 std::string said_of_seal(const Store& store, const std::string& given, const StoredStudy& study,
                          const std::string& line) {
-  const bool has_seal = std::ranges::any_of(store.sessions(), [](const Session& session) {
-    return session.environment.contains(std::string(seal_fact));
-  });
+  const bool has_seal = std::ranges::any_of(
+      store.sessions(), [](const Session& session) { return session.environment.contains(std::string(seal_fact)); });
   const std::string seal = has_seal || !given.empty() ? seal_of(store) : "";  // which reads all rows
   const bool is_sealed = is_as_archived(store, std::string(seal_fact), "its seal", seal);
   const bool is_of_solves =
@@ -92,12 +91,12 @@ void add_verify(const Command& command, Invocation& invocation) {
     check_seal(arguments->seal);
     const Store store(arguments->store, Store::Mode::read);
     const StoredStudy study = store.study(arguments->study);
-    const SolveVisitor redraw = redraw_of(study);
+    const SolveVisitor redraw = target_replay_check(study);
     const auto all = read_checked(store, study, redraw).solves.size();
     const std::string line = fingerprint_line(store, study), seal = said_of_seal(store, arguments->seal, study, line);
     std::optional<ProgressBar> bar("solving again");
     const RerunReport again =
-        solve_again(store, study, arguments->solves, [&](const Progress& progress) { bar->show(progress); });
+        rerun_sample(store, study, arguments->solves, [&](const Progress& progress) { bar->show(progress); });
     bar.reset();  // leaves its line to the answer
     std::vector<std::string> unchecked{
         redraw ? "whether times, traces and extras were true when they were stored"
@@ -107,13 +106,13 @@ void add_verify(const Command& command, Invocation& invocation) {
       if (!labels.empty()) unchecked.push_back(fmt::format("answers and counts of {}{}", fmt::join(labels, ", "), why));
     };
     if (!study.definition.check.process.empty()) unchecked.emplace_back("what the study's check said");
-    leave_out(again.foreign, " (programs and libraries)");
-    leave_out(again.of_other_source, " (the source is another in this version)");
+    leave_out(again.external, " (programs and libraries)");
+    leave_out(again.changed_source, " (the source is another in this version)");
     if (study.definition.stop.seconds > 0) leave_out({"all solves"}, ", which a clock may end");
     const std::string made =
         again.solves == 0 ? "None was made again."
                           : fmt::format("{} of {}, drawn at random, were made again and have the same bits and counts.",
-                                        again.solves, again.of);
+                                        again.solves, again.eligible);
     const std::string text =
         fmt::format("{}: errors, joint motion and status of all {} follow from their answers{}. {}\n{}Not checked: {}.",
                     study.name, base::counted(static_cast<std::int64_t>(all), "solves"),
@@ -121,7 +120,7 @@ void add_verify(const Command& command, Invocation& invocation) {
     fmt::print("{}\n{}\n", printable(wrapped(text)), printable(line));
     const std::string lack = missing_solves_text(store, study);
     if (lack.empty()) return;
-    say(fmt::format("{} {}", study.name, lack));
+    print_message(fmt::format("{} {}", study.name, lack));
     invocation.exit_code = 5;
   });
 }

@@ -45,7 +45,7 @@ std::vector<Overrides> combinations(const std::vector<Dimension>& dimensions) {
 // Returns the key of the search only. No search of a built-in solver depends on the way in which the wrist bends,
 // unless limits or wraps change where a solve starts.
 std::string search_key(Study study) {
-  if (study.search == Search::wrist && study.limits == Limits::recorded && study.wrap == WrapPolicy::no &&
+  if (study.search == Search::wrist && study.limits == LimitPolicy::recorded && study.wrap == WrapPolicy::no &&
       study.start == Start::previous)
     study.wrist_branch = WristBranch::nearest;
   return series_key(study, study.solvers.front());
@@ -53,22 +53,22 @@ std::string search_key(Study study) {
 
 // Returns the solves of one search as they are with the wrist of another study: with its errors and joint motion.
 std::vector<SolveRecord> with_wrist_of(const Study& study, std::vector<SolveRecord> solves) {
-  const robots::Robot arm = arm_of(study);
+  const robots::Robot arm = robot_of(study);
   const Task task(study, arm);
   std::vector<robots::Pose> poses;
   robots::Configuration start;
   for (int run = 0; SolveRecord & solve : solves) {
     if (solve.run != run) {
       run = solve.run;
-      poses = targets(study, arm, run);
+      poses = targets_of_run(study, arm, run);
       start = study.initial;
     }
     const auto place = static_cast<std::size_t>(solve.point - 1);
-    const robots::Configuration answer = task.completed(
+    const robots::Configuration answer = task.with_wrist(
         Eigen::Map<const Eigen::VectorXd>(solve.answer_rad.data(), task.arm().joints()), poses[place], start);
     const Verification verified = verify(arm, poses[place], start, answer, false, study.motion_joints);
     solve.position_error_cm = verified.position_error / centimetre;
-    solve.variation_deg = verified.variation / degree;
+    solve.variation_deg = verified.joint_motion / degree;
     if (continues_from(solve, study.start)) start = answer;
   }
   return solves;
@@ -89,7 +89,7 @@ SeriesMeans means_of(const Study& study, const std::vector<SolveRecord>& solves)
 
 }  // namespace
 
-std::vector<Dimension> dimensions(std::string_view study) {
+std::vector<Dimension> read_dimensions(std::string_view study) {
   const EmbeddedFile* const file = find_embedded(multiverse_files, study);
   if (file == nullptr) return {};
   const toml::table table = parse_toml(file->text, file->name);
@@ -135,7 +135,7 @@ MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimens
   return plan;
 }
 
-std::vector<SeriesMeans> solve_parts(const std::vector<Study>& parts, const RunRequest& request) {
+std::vector<SeriesMeans> solve_multiverse(const std::vector<Study>& parts, const RunRequest& request) {
   std::map<std::string, std::vector<std::size_t>> by_search;
   Progress progress;
   for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -14,7 +14,7 @@ namespace ikbench::experiments {
 
 // Returns the dimensions of a built-in study, read from multiverse/NAME.toml in the program; none if there is no such
 // file.
-std::vector<results::Dimension> dimensions(std::string_view study);
+std::vector<results::Dimension> read_dimensions(std::string_view study);
 
 // The readings of a study and the solves that they need.
 struct MultiversePlan : results::Multiverse {
@@ -34,6 +34,6 @@ struct SeriesMeans {
 
 // Solves the parts of a plan. Returns the means of each, in their order; none if the request was cancelled. Only jobs
 // (parts at once), progress and cancelled of the request count.
-std::vector<SeriesMeans> solve_parts(const std::vector<Study>& parts, const RunRequest& request);
+std::vector<SeriesMeans> solve_multiverse(const std::vector<Study>& parts, const RunRequest& request);
 
 }  // namespace ikbench::experiments

@@ -36,7 +36,7 @@ struct Part {
 // The work of a study, and which of its solves are stored.
 struct StudyWork {
   StudyWork(const Study& asked, const std::vector<Series>& series, int jobs, Shard shard_of_it = {})
-      : study(asked), shard(shard_of_it), arm(arm_of(asked)), points(asked.path->points()) {
+      : study(asked), shard(shard_of_it), arm(robot_of(asked)), points(asked.path->points()) {
     for (std::size_t s = 0; s < series.size(); ++s)
       solve_runners.emplace_back(study, study.solvers[s], series[s].key, arm, jobs);
     stored.resize(solve_runners.size(), std::vector<bool>(place(study.runs, points) + 1));
@@ -68,7 +68,7 @@ struct StudyWork {
     std::vector<Part> parts;
     for (int run = 1; run <= study.runs; ++run)
       for (int point = 1; point <= last; ++point)
-        if (contains(its, study, run, point)) parts.push_back({run, point, study.is_chained() ? points : point});
+        if (is_in_shard(its, study, run, point)) parts.push_back({run, point, study.is_chained() ? points : point});
     return parts;
   }
   // Returns the missing parts of one turn, grouped by the solvers that lack them: within a session all solvers have the
@@ -113,14 +113,14 @@ void check_stored(const SolveRecord& record, const StudyWork& work, std::size_t 
 std::int64_t move_past_stored(StudyWork& work, const Store& store) {
   std::int64_t stored = 0;
   for (std::size_t s = 0; s < work.solve_runners.size(); ++s) {
-    store.each_of_series(work.solve_runners[s].key(), [&](const SolveRecord& record) {
+    store.for_each_in_series(work.solve_runners[s].key(), [&](const SolveRecord& record) {
       if (record.run > work.study.runs) return;
       check_stored(record, work, s);
       work.stored[s][work.place(record.run, record.point)] = true;
       if (record.point < work.points && continues_from(record, work.study.start))
         work.left_arm[{s, record.run}] = to_eigen(record.answer_rad);
       if (record.point == work.points) work.left_arm.erase({s, record.run});
-      if (contains(work.shard, work.study, record.run, record.point)) ++stored;
+      if (is_in_shard(work.shard, work.study, record.run, record.point)) ++stored;
     });
   }
   return stored;
@@ -133,10 +133,10 @@ template <class Solve>
 std::optional<SolveRecord> undisturbed(SuspensionWatch& pauses, const StopRequested& is_over, Solve&& solve) {
   constexpr int most_tries = 10;
   for (int tries = 0; tries < most_tries; ++tries) {
-    const auto paused_before = pauses.paused();
+    const auto paused_before = pauses.suspended();
     const auto began = SuspensionWatch::Clock::now();
     SolveRecord record = solve();
-    const bool stood_still = 10 * (pauses.paused() - paused_before) > SuspensionWatch::Clock::now() - began;
+    const bool stood_still = 10 * (pauses.suspended() - paused_before) > SuspensionWatch::Clock::now() - began;
     if (!stood_still && (record.status == Status::ok || !is_over())) return record;
     if (is_over()) return std::nullopt;
   }
@@ -179,15 +179,15 @@ struct WorkerState {
   std::vector<Configuration> own_starts = {};
 
   // Returns the question at a point. A chain continues at `left_arm`.
-  Call call_at(const StudyWork& work, int run, int point, const Configuration& left_arm) {
+  SolveRequest call_at(const StudyWork& work, int run, int point, const Configuration& left_arm) {
     if (std::exchange(at_run, run) != run)
-      poses = targets(work.study, work.arm, run), own_starts = starts(work.study, work.arm, run);
+      poses = targets_of_run(work.study, work.arm, run), own_starts = starts_of_run(work.study, work.arm, run);
     const auto place = static_cast<std::size_t>(point - 1);
     return {poses[place], own_starts.empty() ? left_arm : own_starts[place], run, point};
   }
   void prepare(const StudyWork& work, const std::vector<std::size_t>& which, const std::vector<Part>& parts,
                std::size_t together) {
-    const Call call = call_at(work, parts.back().run, parts.back().last, work.study.initial);
+    const SolveRequest call = call_at(work, parts.back().run, parts.back().last, work.study.initial);
     for (const std::size_t s : which) {
       solvers.push_back(work.solve_runners[s].make_solver());
       work.solve_runners[s].warm_up(*solvers.back(), call, std::min(together, parts.size()));
@@ -202,7 +202,7 @@ void solve_with_batch_size(const StudyWork& work, const std::vector<std::size_t>
                            const std::vector<Part>& parts, int jobs, const std::atomic<bool>* cancelled,
                            const SolveVisitor& check, RecordQueue& record_queue) {
   const auto batch = static_cast<std::size_t>(work.solve_runners[solvers.front()].batch());
-  const bool is_hot = work.study.state == CacheState::hot && batch == 0;
+  const bool is_hot = work.study.state == CacheState::warm && batch == 0;
   const std::size_t together = std::max<std::size_t>(batch, is_hot ? 2 : 1), rest = batch > 0 ? together - 1 : 0;
   const std::size_t groups = std::max<std::size_t>(1, (parts.size() + rest) / together);  // the rest is a batch, too
   SuspensionWatch pauses;
@@ -218,7 +218,7 @@ void solve_with_batch_size(const StudyWork& work, const std::vector<std::size_t>
     const auto hand_in = [&](SolveRecord& record) {
       if (!is_checked(work, bench.checker, record, is_over)) return false;
       if (check) check(record);
-      record_queue.hand_in(std::move(record));
+      record_queue.push(std::move(record));
       return true;
     };
     std::vector<SolveRecord> hot;  // checked after the last call, since a check would cool the caches
@@ -226,15 +226,15 @@ void solve_with_batch_size(const StudyWork& work, const std::vector<std::size_t>
         batch > 0 ? StopRequested([] { return false; }) : is_over;  // a batch is stored whole or not at all
     const auto heated = [&] {
       for (auto part = first; part != end && !is_cut(); ++part)
-        solve_runner.heat(solver, bench.call_at(work, part->run, part->first, work.study.initial));
-      return SolveRecord{.status = batch == 0 || solve_runner.ask(solver) ? Status::ok : Status::crashed};
+        solve_runner.warm_call(solver, bench.call_at(work, part->run, part->first, work.study.initial));
+      return SolveRecord{.status = batch == 0 || solve_runner.send_batch(solver) ? Status::ok : Status::crashed};
     };
     if ((is_hot || batch > 0) && !undisturbed(pauses, is_over, heated)) return;
     if (batch > 0) solve_runner.count_failure(solver);
     for (auto part = first; part != end; ++part) {
       Configuration left_arm = work.chain_end(s, part->run);
       for (int point = work.next_point(s, *part); point <= part->last && !is_cut(); ++point) {
-        const Call call = bench.call_at(work, part->run, point, left_arm);
+        const SolveRequest call = bench.call_at(work, part->run, point, left_arm);
         std::optional<SolveRecord> record =
             undisturbed(pauses, is_cut, [&] { return solve_runner.solve(solver, call); });
         if (!record) break;
@@ -260,8 +260,9 @@ void solve_with_batch_size(const StudyWork& work, const std::vector<std::size_t>
   for (const std::size_t s : solvers) work.solve_runners[s].end_processes();
 }
 
-void solve_parts(const StudyWork& work, const std::vector<std::size_t>& solvers, const std::vector<Part>& parts,
-                 int jobs, const std::atomic<bool>* cancelled, const SolveVisitor& check, RecordQueue& record_queue) {
+void solve_multiverse(const StudyWork& work, const std::vector<std::size_t>& solvers, const std::vector<Part>& parts,
+                      int jobs, const std::atomic<bool>* cancelled, const SolveVisitor& check,
+                      RecordQueue& record_queue) {
   std::map<int, std::vector<std::size_t>> by_batch;
   for (const std::size_t s : solvers) by_batch[work.solve_runners[s].batch()].push_back(s);
   for (const auto& [batch, alike] : by_batch)
@@ -289,7 +290,7 @@ void tidy(SolveRecord& solve, std::set<std::string>& odd) {
 std::vector<std::string> tell_of(const StudyWork& work, Anomalies& odd, Store& store, std::int64_t session) {
   std::vector<std::string> sentences;
   for (const SolveRunner& solve_runner : work.solve_runners)
-    if (const std::string of_program = solve_runner.odd(); !of_program.empty())
+    if (const std::string of_program = solve_runner.anomalies(); !of_program.empty())
       odd[solve_runner.label()].insert(of_program);
   for (const auto& [label, what] : odd) {
     if (what.empty()) continue;
@@ -307,9 +308,9 @@ void solve_missing(StudyWork& work, const StoredStudy& stored, Store& store, con
   for (const SolverEntry& entry : work.study.solvers) {
     session["source." + entry.solver] = source_digest_of(entry);
     if (const std::string library = library_name(entry); !library.empty()) session["library." + entry.solver] = library;
-    if (entry.own) odd[entry.label];
+    if (entry.custom) odd[entry.label];
   }
-  for (const SkippedSolver& left_out : work.study.left_out) session["left_out." + left_out.label] = left_out.why;
+  for (const SkippedSolver& left_out : work.study.skipped) session["left_out." + left_out.label] = left_out.reason;
   session["jobs"] = std::to_string(request.jobs);
   session["command"] = request.command;
   if (request.shard.count > 1) session["shard"] = request.shard.text();
@@ -329,8 +330,8 @@ void solve_missing(StudyWork& work, const StoredStudy& stored, Store& store, con
       if (request.progress) request.progress(progress);
     }
   };
-  RecordQueue record_queue(store_them, request.patience);
-  const auto check = [of_study = check_of(stored)](const SolveRecord& record) {
+  RecordQueue record_queue(store_them, request.flush_interval);
+  const auto check = [of_study = answer_check(stored)](const SolveRecord& record) {
     try {
       of_study(record);
     } catch (const std::invalid_argument& error) {
@@ -343,10 +344,11 @@ void solve_missing(StudyWork& work, const StoredStudy& stored, Store& store, con
     for (const auto& [who, parts] : work.sessions_of(turn)) {
       if (is_over()) break;
       session_id = store.begin_session(session);
-      solve_parts(work, order_of(work.study, who, turn), parts, request.jobs, request.cancelled, check, record_queue);
+      solve_multiverse(work, order_of(work.study, who, turn), parts, request.jobs, request.cancelled, check,
+                       record_queue);
     }
   }
-  progress.notes = tell_of(work, odd, store, session_id);
+  progress.anomalies = tell_of(work, odd, store, session_id);
 }
 
 void refuse_another(const StoredStudy& ours, const StoredStudy& now) {
@@ -384,7 +386,7 @@ void solve_without_store(const Study& study, int jobs, const std::function<void(
   });
   std::vector<std::size_t> all(study.solvers.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  solve_parts(work, all, work.parts_in({}), jobs, cancelled, {}, record_queue);
+  solve_multiverse(work, all, work.parts_in({}), jobs, cancelled, {}, record_queue);
 }
 
 bool continues_from(const SolveRecord& solve, Start start) {
@@ -392,11 +394,11 @@ bool continues_from(const SolveRecord& solve, Start start) {
 }
 
 SolveRecord solve_once(const Study& study, const SolverEntry& entry, const Pose& target) {
-  const Robot arm = arm_of(study);
+  const Robot arm = robot_of(study);
   const SolveRunner solve_runner(study, entry, series_key(study, entry), arm);
   const std::unique_ptr<solvers::Solver> solver = solve_runner.make_solver();
-  const Call call{target, study.initial, 1, 1};
-  if (solve_runner.batch() > 0) solve_runner.heat(*solver, call), solve_runner.ask(*solver);
+  const SolveRequest call{target, study.initial, 1, 1};
+  if (solve_runner.batch() > 0) solve_runner.warm_call(*solver, call), solve_runner.send_batch(*solver);
   return solve_runner.solve(*solver, call);
 }
 

@@ -21,7 +21,7 @@ struct RunRequest {
   std::string command = {};                       // the typed command, for the record
   const std::atomic<bool>* cancelled = nullptr;   // checked before and after every solve
   Shard shard = {};                               // the part of the study to solve, and to count in the progress
-  std::chrono::milliseconds patience{0};          // how long solves may wait for a common transaction
+  std::chrono::milliseconds flush_interval{0};    // how long solves may wait for a common transaction
 };
 
 // Solves what the store lacks of a study, and returns how many solves there are. `study` has to be as the study reader

@@ -80,28 +80,28 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, std::stri
               : jobs > 1         ? Timing::parallel
               : entry.program    ? Timing::process
                                  : Timing::clean),
-      is_counted_(entry.program || info_of(entry).is_counted) {
+      is_counted_(entry.program || solver_info(entry).is_counted) {
   if (!entry.program) return;
-  conversations_ = std::make_unique<ProcessPool>(
+  processes_ = std::make_unique<ProcessPool>(
       entry.program, robot_message(arm, task_.arm(), task_.goal(Pose::Identity()), "", entry.program->hello, options_));
 }
 
 std::unique_ptr<Solver> SolveRunner::make_solver() const {
-  if (conversations_) return std::make_unique<ExternalSolver>(*conversations_, study_.stop);
-  return info_of(entry_).make(options_);
+  if (processes_) return std::make_unique<ExternalSolver>(*processes_, study_.stop);
+  return solver_info(entry_).make(options_);
 }
 
 void SolveRunner::count_failure(Solver& solver) const {
-  if (conversations_) static_cast<ExternalSolver&>(solver).count_failure();
+  if (processes_) static_cast<ExternalSolver&>(solver).count_failure();
 }
 
 void SolveRunner::end_processes() const {
-  if (conversations_) conversations_->end_processes();
+  if (processes_) processes_->end_processes();
 }
 
-std::string SolveRunner::odd() const {
+std::string SolveRunner::anomalies() const {
   std::vector<std::string> told;
-  if (const std::string failure = conversations_ ? conversations_->last_failure() : ""; !failure.empty())
+  if (const std::string failure = processes_ ? processes_->last_failure() : ""; !failure.empty())
     told.push_back("last failure: " + failure);
   if (rerun_differences_ > 0)
     told.push_back(fmt::format("it answers otherwise when it is asked again, {} of {} times", rerun_differences_.load(),
@@ -109,7 +109,7 @@ std::string SolveRunner::odd() const {
   return fmt::format("{}", fmt::join(told, "; "));
 }
 
-SolveRunner::TimedSolve SolveRunner::timed(Solver& solver, const Call& call) const {
+SolveRunner::TimedSolve SolveRunner::solve_timed(Solver& solver, const SolveRequest& call) const {
   const auto& [target, start, run, point] = call;
   const Problem problem = task_.problem(start, effective_population(study_, entry_));
   Objective objective(task_.arm(), task_.goal(target));
@@ -117,19 +117,19 @@ SolveRunner::TimedSolve SolveRunner::timed(Solver& solver, const Call& call) con
                     .with(entry_.label)
                     .with(static_cast<std::uint64_t>(run))
                     .with(static_cast<std::uint64_t>(point)));
-  auto* const program = conversations_ ? static_cast<ExternalSolver*>(&solver) : nullptr;
+  auto* const program = processes_ ? static_cast<ExternalSolver*>(&solver) : nullptr;
   const auto asked = std::chrono::steady_clock::now();
   if (program != nullptr) program->prepare(problem, objective);
   TimedSolve timed;
   const FloatingPointGuard kept;  // takes 0.1 us, outside the solver's time
   const Place place(entry_.label, run, point);
   try {
-    const bool has_failed = program != nullptr && program->account().failure;  // a failure in the warm-up
+    const bool has_failed = program != nullptr && program->report().failure;  // a failure in the warm-up
     const auto started = has_failed ? asked : std::chrono::steady_clock::now();
     timed.solution = solvers::solve(solver, problem, objective, random, study_.stop, study_.trace);
-    timed.answer = task_.completed(timed.solution.best.q, target, start);
+    timed.answer = task_.with_wrist(timed.solution.best.q, target, start);
     timed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-    if (batch() > 0) timed.seconds = program->account().seconds;
+    if (batch() > 0) timed.seconds = program->report().seconds;
     if (program != nullptr && program->is_given_up()) timed.seconds = std::numeric_limits<double>::quiet_NaN();
     timed.extras = objective.notes();
   } catch (const std::invalid_argument& error) {
@@ -140,7 +140,7 @@ SolveRunner::TimedSolve SolveRunner::timed(Solver& solver, const Call& call) con
     throw std::runtime_error(place("the solver throws what is no std::exception"));
   }
   if (program == nullptr) return timed;
-  const ProcessReport& account = timed.account.emplace(program->account());
+  const ProcessReport& account = timed.report.emplace(program->report());
   timed.cpu_seconds = account.cpu_seconds;
   timed.solution.evaluations = account.evaluations;
   timed.solution.iterations = account.iterations;
@@ -150,26 +150,26 @@ SolveRunner::TimedSolve SolveRunner::timed(Solver& solver, const Call& call) con
   return timed;
 }
 
-void SolveRunner::warm_up(Solver& solver, const Call& call, std::size_t together) const {
-  for (std::size_t i = 0; batch() > 0 && i < together; ++i) heat(solver, call);
+void SolveRunner::warm_up(Solver& solver, const SolveRequest& call, std::size_t together) const {
+  for (std::size_t i = 0; batch() > 0 && i < together; ++i) warm_call(solver, call);
   if (batch() > 0) {
-    warm_up_calls([&](std::uint32_t) { ask(solver); });
+    warm_up_calls([&](std::uint32_t) { send_batch(solver); });
     return static_cast<ExternalSolver&>(solver).clear_batch();  // a target may be asked for again
   }
-  if (conversations_) {
+  if (processes_) {
     const Problem problem = task_.problem(call.start, effective_population(study_, entry_));
     return static_cast<ExternalSolver&>(solver).prepare(problem, Objective(task_.arm(), task_.goal(call.target)));
   }
   try {
-    warm_up_calls([&](std::uint32_t) { timed(solver, call); });
+    warm_up_calls([&](std::uint32_t) { solve_timed(solver, call); });
   } catch (const std::exception&) {  // the solve itself will report it
   }
 }
 
-SolveRecord SolveRunner::solve(Solver& solver, const Call& call) const {
+SolveRecord SolveRunner::solve(Solver& solver, const SolveRequest& call) const {
   const double before = thread_cpu_seconds();
-  TimedSolve made = timed(solver, call);
-  if (!made.account) made.cpu_seconds = thread_cpu_seconds() - before;
+  TimedSolve made = solve_timed(solver, call);
+  if (!made.report) made.cpu_seconds = thread_cpu_seconds() - before;
   const auto verified = [&](const Configuration& answer) {
     return verify(arm_, call.target, call.start, answer, study_.search == Search::axis, study_.motion_joints);
   };
@@ -179,19 +179,20 @@ SolveRecord SolveRunner::solve(Solver& solver, const Call& call) const {
   const auto ended_itself = [&](const TimedSolve& its) {  // otherwise the clock may have chosen the answer
     return study_.stop.seconds == 0 || its.seconds < study_.stop.seconds;
   };
-  const bool may_repeat = (conversations_ || entry_.own) && !is_without_answer(status) && ended_itself(made);
+  const bool may_repeat = (processes_ || entry_.custom) && !has_no_answer(status) && ended_itself(made);
   if (may_repeat && (call.run + call.point) % one_in == 0)
-    if (const TimedSolve again = timed(solver, call); ended_itself(again) && !(again.account && again.account->failure))
+    if (const TimedSolve again = solve_timed(solver, call);
+        ended_itself(again) && !(again.report && again.report->failure))
       ++rerun_count_, rerun_differences_ += !same_bits(again.answer, made.answer);
-  if (stays(status))  // the record says that the arm stays
+  if (arm_stays(status))  // the record says that the arm stays
     return make_record(call, made, status, call.start, verified(call.start));
   return make_record(call, made, status, made.answer, as_answered);
 }
 
-SolveRecord SolveRunner::make_record(const Call& call, const TimedSolve& made, Status status,
+SolveRecord SolveRunner::make_record(const SolveRequest& call, const TimedSolve& made, Status status,
                                      const Configuration& answer, const Verification& verified) const {
   const Solution& solution = made.solution;
-  const ProcessReport* const account = made.account ? &*made.account : nullptr;
+  const ProcessReport* const account = made.report ? &*made.report : nullptr;
   StopReason stopped = solution.stopped;
   if (account != nullptr && account->failure)
     stopped = *account->failure == Status::timed_out ? StopReason::time : StopReason::finished;
@@ -211,9 +212,9 @@ SolveRecord SolveRunner::make_record(const Call& call, const TimedSolve& made, S
       .answer_rad = to_vector(answer),
       .reached_position_m = to_vector(verified.reached),
       .position_error_cm = verified.position_error / centimetre,
-      .claimed_error_cm = (account != nullptr ? account->claimed_error : solution.position_error) / centimetre,
+      .claimed_error_cm = (account != nullptr ? account->reported_error : solution.position_error) / centimetre,
       .orientation_error = verified.orientation_error,
-      .variation_deg = verified.variation / degree,
+      .variation_deg = verified.joint_motion / degree,
       .largest_move_deg = verified.largest_move / degree,
       .limit_violation_deg = verified.limit_violation / degree,
       .evaluations = is_counted ? solution.evaluations : 0,
@@ -223,18 +224,19 @@ SolveRecord SolveRunner::make_record(const Call& call, const TimedSolve& made, S
       .seconds = made.seconds,
       .cpu_seconds = made.cpu_seconds,
       .timing = timing_,
-      .repeats = account != nullptr ? account->together : 1,
+      .repeats = account != nullptr ? account->batch_size : 1,
       .smallest_seconds = made.seconds,
       .largest_seconds = made.seconds,
-      .variation_m = verified.variation_m,
+      .variation_m = verified.joint_motion_m,
       .limit_violation_m = verified.limit_violation_m,
-      .claimed_seconds = account != nullptr ? account->claimed_seconds : std::numeric_limits<double>::quiet_NaN(),
+      .claimed_seconds = account != nullptr ? account->reported_seconds : std::numeric_limits<double>::quiet_NaN(),
       .counted_by = account != nullptr ? account->counted_by
                     : is_counted       ? CountedBy::suite
                                        : CountedBy::nobody,
       .restarts = solution.restarts,
       .extras = made.extras};
-  if (stays(status) && account != nullptr && !account->failure)  // otherwise the answer of the program would be lost
+  if (arm_stays(status) && account != nullptr &&
+      !account->failure)  // otherwise the answer of the program would be lost
     for (int j = 0; j < arm_.joints(); ++j) record.extras[fmt::format("{}{}", refused_prefix, j + 1)] = made.answer[j];
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   if (is_counted) {
@@ -245,30 +247,30 @@ SolveRecord SolveRunner::make_record(const Call& call, const TimedSolve& made, S
 }
 
 Status SolveRunner::status_of(const TimedSolve& timed, const Verification& verified, const Pose& target) const {
-  if (timed.account && timed.account->failure) return *timed.account->failure;
+  if (timed.report && timed.report->failure) return *timed.report->failure;
   if (timed.solution.stopped == StopReason::not_finite) return Status::not_finite;
-  const bool claims = timed.account && !std::isnan(timed.account->claimed_error);
+  const bool claims = timed.report && !std::isnan(timed.report->reported_error);
   const Status status =
-      status_by(verified, {.claimed_error = claims ? timed.account->claimed_error : timed.solution.position_error,
-                           .claim_slack = timed.account ? claim_slack_of_programs : 0,
-                           .claimed_pose_error = timed.solution.best.error,
-                           .rotation_weight = task_.goal(target).rotation_weight,
-                           .stop = study_.stop,
-                           .orientation_is_exact = study_.search == Search::wrist,
-                           .limits_are_enforced = study_.limits == Limits::enforced});
-  return is_in_order(status) && is_late(timed) ? Status::over_budget : status;
+      classify(verified, {.reported_error = claims ? timed.report->reported_error : timed.solution.position_error,
+                          .report_tolerance = timed.report ? program_report_tolerance : 0,
+                          .reported_pose_error = timed.solution.best.error,
+                          .rotation_weight = task_.goal(target).rotation_weight,
+                          .stop = study_.stop,
+                          .orientation_is_exact = study_.search == Search::wrist,
+                          .limits_are_enforced = study_.limits == LimitPolicy::enforced});
+  return is_sound(status) && missed_deadline(timed) ? Status::over_budget : status;
 }
 
 // Programs and libraries stop by themselves, so they may exceed their budget. On a busy machine they wait, so the
 // smaller of wall and processor time counts.
-bool SolveRunner::is_late(const TimedSolve& timed) const {
-  if (!entry_.program && info_of(entry_).library.empty()) return false;
-  if (timed.account && timed.account->went_on) return true;
-  return is_over({.seconds = timed.account ? credible_seconds(*timed.account, timed.seconds)
-                                           : std::min(timed.seconds, timed.cpu_seconds),
-                  .evaluations = timed.solution.evaluations,
-                  .iterations = timed.solution.iterations},
-                 study_.stop);
+bool SolveRunner::missed_deadline(const TimedSolve& timed) const {
+  if (!entry_.program && solver_info(entry_).library.empty()) return false;
+  if (timed.report && timed.report->ignored_budget) return true;
+  return exceeds_budget({.seconds = timed.report ? credible_seconds(*timed.report, timed.seconds)
+                                                 : std::min(timed.seconds, timed.cpu_seconds),
+                         .evaluations = timed.solution.evaluations,
+                         .iterations = timed.solution.iterations},
+                        study_.stop);
 }
 
 }  // namespace ikbench::experiments

@@ -30,7 +30,7 @@ bool same_bits(const auto& a, const auto& b) {
 
 // The question to a solver. The target has to outlive it. The start is a copy, as it may be made of another type of
 // vector.
-struct Call {
+struct SolveRequest {
   const Pose& target;
   Configuration start;
   int run, point;
@@ -52,35 +52,35 @@ class SolveRunner {
   // Counts a failure of a program in its last solve, which becomes the last failure. The third in a row gives the
   // program up. Not for a solve that is not stored.
   void count_failure(solvers::Solver& solver) const;
-  std::string odd() const;  // anomalies of code of others: a failure, answers that change; empty: none
+  std::string anomalies() const;  // anomalies of code of others: a failure, answers that change; empty: none
   int batch() const { return entry_.program ? entry_.program->choice.batch : 0; }
   // Asks an entry with a batch for all calls that `heat` collected since the last time; `solve` then has their answers.
   // Returns false if the batch failed, with all of its solves.
-  bool ask(solvers::Solver& solver) const { return static_cast<ExternalSolver&>(solver).ask(); }
+  bool send_batch(solvers::Solver& solver) const { return static_cast<ExternalSolver&>(solver).send_batch(); }
   // Starts a program, and makes a few unrecorded solves, whatever comes of them; with a batch, `together` calls at
   // once.
-  void warm_up(solvers::Solver& solver, const Call& call, std::size_t together = 1) const;
+  void warm_up(solvers::Solver& solver, const SolveRequest& call, std::size_t together = 1) const;
   // Both throw std::runtime_error, with label, run and point, if the solver throws (std::invalid_argument, if it throws
   // that). This one solves once, unrecorded.
-  void heat(solvers::Solver& solver, const Call& call) const { timed(solver, call); }
+  void warm_call(solvers::Solver& solver, const SolveRequest& call) const { solve_timed(solver, call); }
   // Makes one timed call. Of code of others one call in ten is asked again, for `odd`. If the solver ends the process
   // by `exit`, that prints a sentence, and the exit code is 2.
-  results::SolveRecord solve(solvers::Solver& solver, const Call& call) const;
+  results::SolveRecord solve(solvers::Solver& solver, const SolveRequest& call) const;
 
  private:
   struct TimedSolve {
     solvers::Solution solution = {};
-    Configuration answer = {};                  // all joints
-    double seconds = 0;                         // [s] to solve, and to complete the answer
-    std::optional<ProcessReport> account = {};  // if a program solved
-    double cpu_seconds = 0;                     // [s] of the program, otherwise of this thread
+    Configuration answer = {};                 // all joints
+    double seconds = 0;                        // [s] to solve, and to complete the answer
+    std::optional<ProcessReport> report = {};  // if a program solved
+    double cpu_seconds = 0;                    // [s] of the program, otherwise of this thread
     std::map<std::string, double> extras = {};
   };
-  TimedSolve timed(solvers::Solver& solver, const Call& call) const;
-  results::SolveRecord make_record(const Call& call, const TimedSolve& made, results::Status status,
+  TimedSolve solve_timed(solvers::Solver& solver, const SolveRequest& call) const;
+  results::SolveRecord make_record(const SolveRequest& call, const TimedSolve& made, results::Status status,
                                    const Configuration& answer, const Verification& verified) const;
   results::Status status_of(const TimedSolve& timed, const Verification& verified, const Pose& target) const;
-  bool is_late(const TimedSolve& timed) const;
+  bool missed_deadline(const TimedSolve& timed) const;
 
   const Study& study_;
   const SolverEntry& entry_;
@@ -89,8 +89,8 @@ class SolveRunner {
   solvers::Settings options_;
   std::string key_;
   results::Timing timing_;
-  bool is_counted_;                             // true: counted here; false: by the program
-  std::unique_ptr<ProcessPool> conversations_;  // null if no program solves
+  bool is_counted_;                         // true: counted here; false: by the program
+  std::unique_ptr<ProcessPool> processes_;  // null if no program solves
   mutable std::atomic<int> rerun_count_ = 0, rerun_differences_ = 0;
 };
 

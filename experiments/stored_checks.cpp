@@ -91,10 +91,10 @@ std::optional<SolverEntry> built_in(const Series& series) {
   SolverEntry entry{.label = series.label, .solver = series.algorithm};
   for (const auto& [name, value] : options.items()) {
     if (name == "population") {
-      if (!value.is_number_integer() || value < populations.first || value > populations.second)
+      if (!value.is_number_integer() || value < population_range.first || value > population_range.second)
         throw std::invalid_argument(fmt::format(
             "the population of {} is no whole number from {} to {}; it was changed: solve again into another folder",
-            base::one_line(base::front(series.label, 60)), populations.first, populations.second));
+            base::one_line(base::front(series.label, 60)), population_range.first, population_range.second));
       entry.population = value;
     } else if (value.is_number())
       entry.options[name] = value.get<double>();
@@ -113,8 +113,8 @@ bool may_spend(const StopRule& stop, Kind kind, const SolveRecord& solve) {
   if (kind == Kind::ours)
     return solve.counted_by == CountedBy::suite && solve.iterations <= stop.iterations &&
            (solve.stop_reason != StopReason::evaluations || solve.evaluations >= stop.evaluations);
-  return !is_in_order(solve.status) ||
-         !is_over({.evaluations = solve.evaluations, .iterations = solve.iterations}, stop);
+  return !is_sound(solve.status) ||
+         !exceeds_budget({.evaluations = solve.evaluations, .iterations = solve.iterations}, stop);
 }
 
 // Refuses a solve without the results of the study's check: all its numbers if the answer reached its target, and one
@@ -141,7 +141,7 @@ void check(const StudyDefinition& study, const Robot& arm, Kind kind, const Solv
       solve.target_rotation.size() != 9 || solve.start_rad.size() != joints || solve.answer_rad.size() != joints)
     refuse(solve,
            fmt::format("its target, start or answer is not that of an arm with {}", counted(arm.joints(), "joints")));
-  if (stays(solve.status) && solve.answer_rad != solve.start_rad)
+  if (arm_stays(solve.status) && solve.answer_rad != solve.start_rad)
     refuse(solve, fmt::format("the arm moved, but its status is {}", name_of(solve.status)));
   if (!may_spend(study.stop, kind, solve))
     refuse(solve, fmt::format("it has {} (counted by {}) in {} and stops by {}, which no solve of this study does",
@@ -151,9 +151,9 @@ void check(const StudyDefinition& study, const Robot& arm, Kind kind, const Solv
                                        study.search == Search::axis, study.motion_joints);
   expect("position_error_cm", solve, solve.position_error_cm, computed.position_error / centimetre, 1e-7);
   expect("orientation_error", solve, solve.orientation_error, computed.orientation_error, 1e-8);
-  expect("variation_deg", solve, solve.variation_deg, computed.variation / degree, 1e-7);
+  expect("variation_deg", solve, solve.variation_deg, computed.joint_motion / degree, 1e-7);
   expect("largest_move_deg", solve, solve.largest_move_deg, computed.largest_move / degree, 1e-7);
-  expect("variation_m", solve, solve.variation_m, computed.variation_m, 1e-9);
+  expect("variation_m", solve, solve.variation_m, computed.joint_motion_m, 1e-9);
   expect("limit_violation_deg", solve, solve.limit_violation_deg, computed.limit_violation / degree, 1e-6);
   expect("limit_violation_m", solve, solve.limit_violation_m, computed.limit_violation_m, 1e-8);
   const double far = computed.reached.norm();  // a prismatic joint may be far out; rounding grows with the distance
@@ -164,7 +164,7 @@ void check(const StudyDefinition& study, const Robot& arm, Kind kind, const Solv
       std::isfinite(computed.position_error + computed.orientation_error))
     refuse(solve, "its status is not_finite, but its numbers are finite");
   refuse_wrong_check(study, solve);
-  if (!is_in_order(solve.status) && solve.status != Status::invalid && solve.status != Status::limit_violated)
+  if (!is_sound(solve.status) && solve.status != Status::invalid && solve.status != Status::limit_violated)
     return;                   // the answer is not stored: the arm stayed, or the reported error decided
   if (kind != Kind::program)  // a program may round, or have the arm from a file
     expect("claimed_error_cm", solve, solve.claimed_error_cm, computed.position_error / centimetre, 2e-7);
@@ -173,7 +173,7 @@ void check(const StudyDefinition& study, const Robot& arm, Kind kind, const Solv
     const auto about = [&](double tolerance) { return tolerance > 0 ? std::max(tolerance + rounding, least) : 0; };
     StopRule stop = study.stop;
     stop.tolerance = about(stop.tolerance), stop.angle_tolerance = about(stop.angle_tolerance);
-    return status_by(computed, {.claimed_error = computed.position_error, .stop = stop});
+    return classify(computed, {.reported_error = computed.position_error, .stop = stop});
   };
   const Status reached = solve.status == Status::invalid ? Status::ok : solve.status;
   if (reached != status(1e-8) && reached != status(-1e-8))
@@ -183,7 +183,7 @@ void check(const StudyDefinition& study, const Robot& arm, Kind kind, const Solv
 
 }  // namespace
 
-SolveVisitor check_of(const StoredStudy& study) {
+SolveVisitor answer_check(const StoredStudy& study) {
   std::map<std::string, Kind> kinds;  // by label
   for (const Series& series : study.series)
     kinds[series.label] = built_in(series)                                  ? Kind::ours
@@ -194,8 +194,8 @@ SolveVisitor check_of(const StoredStudy& study) {
   };
 }
 
-SolveVisitor recheck_of(const StoredStudy& study) {
-  return [check = check_of(study), start = study.definition.start, is_chained = study.definition.is_chained(),
+SolveVisitor stored_solve_check(const StoredStudy& study) {
+  return [check = answer_check(study), start = study.definition.start, is_chained = study.definition.is_chained(),
           next = std::tuple(std::string(), 0, 0), left_rad = std::vector<double>()](const SolveRecord& solve) mutable {
     of_stored([&] {
       if (is_chained && next == std::tie(solve.label, solve.run, solve.point) && left_rad != solve.start_rad)
@@ -207,12 +207,12 @@ SolveVisitor recheck_of(const StoredStudy& study) {
   };
 }
 
-SolveVisitor redraw_of(const StoredStudy& stored) {
+SolveVisitor target_replay_check(const StoredStudy& stored) {
   Study study = study_in_store(stored);
   const toml::table all = toml_of(parsed_json(stored.definition.json));
   TomlReader reader(all, "the definition of " + stored.name, "");
   TomlReader path = reader.part("path");
-  for (const Path& kind : paths())
+  for (const Path& kind : target_sets())
     if (kind->name() == stored.definition.path) study.path = kind;
   study.path->list_fields(path);
   if (study.path->points() != stored.definition.points) return {};
@@ -223,7 +223,7 @@ SolveVisitor redraw_of(const StoredStudy& stored) {
   return [study, run = 0, poses = std::vector<Pose>(),
           own = std::vector<Configuration>()](const SolveRecord& solve) mutable {
     if (std::exchange(run, solve.run) != solve.run)
-      poses = targets(study, *study.robot_of_file, run), own = starts(study, *study.robot_of_file, run);
+      poses = targets_of_run(study, *study.robot_of_file, run), own = starts_of_run(study, *study.robot_of_file, run);
     const auto place = static_cast<std::size_t>(solve.point - 1);
     const bool is_drawn = same_bits(poses[place].translation(), solve.target_position_m) &&
                           same_bits(row_major(poses[place].linear()), solve.target_rotation);
@@ -252,8 +252,8 @@ void check_name(const StoredStudy& study, const Series& series) {
 
 }  // namespace
 
-RerunReport solve_again(const Store& store, const StoredStudy& stored, std::int64_t most,
-                        const std::function<void(const Progress&)>& progress) {
+RerunReport rerun_sample(const Store& store, const StoredStudy& stored, std::int64_t most,
+                         const std::function<void(const Progress&)>& progress) {
   Study study = study_in_store(stored);
   RerunReport found;
   std::map<std::string, SolverEntry> entries;  // by label
@@ -262,17 +262,17 @@ RerunReport solve_again(const Store& store, const StoredStudy& stored, std::int6
     check_name(stored, series);
     std::optional<SolverEntry> entry = built_in(series);
     if (!entry)
-      found.foreign.push_back(series.label);
+      found.external.push_back(series.label);
     else if (series.key.find(source_key(*entry)) == std::string::npos)
-      found.of_other_source.push_back(series.label);
+      found.changed_source.push_back(series.label);
     else if (study.stop.seconds == 0)
       runners.try_emplace(series.label, study, entries[series.label] = *entry, series.key, *study.robot_of_file);
   }
   std::vector<SolveRecord> drawn;
   std::mt19937_64 random(std::random_device{}());  // so that nobody knows before which solves are drawn
-  store.each_of_study(stored, [&](SolveRecord& solve) {
+  store.for_each_in_study(stored, [&](SolveRecord& solve) {
     if (!runners.contains(solve.label)) return;
-    const auto place = std::uniform_int_distribution<std::int64_t>(0, found.of++)(random);
+    const auto place = std::uniform_int_distribution<std::int64_t>(0, found.eligible++)(random);
     if (std::ssize(drawn) < most)
       drawn.push_back(std::move(solve));
     else if (place < most)

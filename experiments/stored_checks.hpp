@@ -17,26 +17,26 @@ namespace ikbench::experiments {
 // arm, target, start and answer. The check throws std::invalid_argument, with the place of the solve, if they differ,
 // or if no solver spends so much. check_of itself throws it if the study has no arm. `run` stores nothing that the
 // check refuses.
-results::SolveVisitor check_of(const results::StoredStudy& study);
+results::SolveVisitor answer_check(const results::StoredStudy& study);
 // Returns the same check for stored solves, which have to come by solver, run and point. It also refuses an arm that
 // jumped between two solves of a chain.
-results::SolveVisitor recheck_of(const results::StoredStudy& study);
+results::SolveVisitor stored_solve_check(const results::StoredStudy& study);
 
 // Returns a check that draws targets and starts again from the study's seed, and throws the same if a solve had others.
 // It is for solves that recheck_of accepted. Null if targets are poses of the study file, which the store does not
 // have.
-results::SolveVisitor redraw_of(const results::StoredStudy& study);
+results::SolveVisitor target_replay_check(const results::StoredStudy& study);
 
 // The result of solve_again. A label is left out if its solver is a program, of a library, or of another source.
 struct RerunReport {
   std::int64_t solves = 0;                                      // solves that were made again
-  std::int64_t of = 0;                                          // stored solves that could be made again
-  std::vector<std::string> foreign = {}, of_other_source = {};  // labels
+  std::int64_t eligible = 0;                                    // stored solves that could be made again
+  std::vector<std::string> external = {}, changed_source = {};  // labels
 };
 // Makes solves of the stored study again, at most `most`, drawn at random, and tells its progress before each. It makes
 // none if the clock may end solves. Throws std::invalid_argument, with the place of the solve, if another bit of the
 // answer or another count comes.
-RerunReport solve_again(const results::Store& store, const results::StoredStudy& study, std::int64_t most,
-                        const std::function<void(const Progress&)>& progress = {});
+RerunReport rerun_sample(const results::Store& store, const results::StoredStudy& study, std::int64_t most,
+                         const std::function<void(const Progress&)>& progress = {});
 
 }  // namespace ikbench::experiments

@@ -47,7 +47,7 @@ Problem Task::problem(const Configuration& start, int population) const {
           .population = population};
 }
 
-Configuration Task::completed(const Configuration& found, const Pose& target, const Configuration& start) const {
+Configuration Task::with_wrist(const Configuration& found, const Pose& target, const Configuration& start) const {
   Configuration answer = found;
   if (wrist_) {
     const Eigen::Vector3d near = start.tail<3>();
@@ -56,7 +56,7 @@ Configuration Task::completed(const Configuration& found, const Pose& target, co
       for (Eigen::Index j = 0; j < 3 && study_.wrist_turns == WristTurns::nearest; ++j)
         branch[j] = near[j] + std::remainder(branch[j] - near[j], whole_turn);
     answer.resize(found.size() + 3);
-    answer << found, branches[chosen(branches, near)];
+    answer << found, branches[select_branch(branches, near)];
   } else if (study_.search == Search::flange) {
     answer = start;
     answer.head(found.size()) = found;
@@ -74,7 +74,7 @@ void Task::wrap(Configuration& answer, const Configuration& start) const {
   }
 }
 
-std::size_t Task::chosen(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const {
+std::size_t Task::select_branch(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const {
   const std::size_t nearer = (branches[0] - near).norm() <= (branches[1] - near).norm() ? 0 : 1;
   const auto is_inside = [&](const Eigen::Vector3d& angles) {
     return (angles.array() >= arm_.limits.lower.tail<3>().array()).all() &&
@@ -83,7 +83,7 @@ std::size_t Task::chosen(const std::array<Eigen::Vector3d, 2>& branches, const E
   const std::size_t first = study_.wrist_branch == WristBranch::positive   ? 0
                             : study_.wrist_branch == WristBranch::negative ? 1
                                                                            : nearer;
-  const bool is_to_be_inside = study_.wrist_branch == WristBranch::inside || study_.limits == Limits::enforced;
+  const bool is_to_be_inside = study_.wrist_branch == WristBranch::inside || study_.limits == LimitPolicy::enforced;
   return is_to_be_inside && !is_inside(branches[first]) && is_inside(branches[1 - first]) ? 1 - first : first;
 }
 

@@ -25,11 +25,11 @@ class Task {
 
   // Returns all joints of the answer: those found by the search, the wrist's by the closed form, wrapped if the study
   // says so.
-  Configuration completed(const Configuration& found, const Pose& target, const Configuration& start) const;
+  Configuration with_wrist(const Configuration& found, const Pose& target, const Configuration& start) const;
 
  private:
   void wrap(Configuration& answer, const Configuration& start) const;
-  std::size_t chosen(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const;
+  std::size_t select_branch(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const;
 
   const Study& study_;
   const Robot& arm_;

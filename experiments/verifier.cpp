@@ -85,8 +85,10 @@ double angle_of(double difference) {
 // Returns the root mean square distance of three points of the tool: its own point, and those `weight` along its x and
 // y axes, or along its z axis both ways.
 double pose_error(const Verification& verified, double weight) {
-  const Eigen::Vector3d off = verified.off.col(3), one = verified.off.col(verified.turns_freely ? 2 : 0);
-  const Eigen::Vector3d other = verified.turns_freely ? Eigen::Vector3d(-one) : Eigen::Vector3d(verified.off.col(1));
+  const Eigen::Vector3d off = verified.pose_difference.col(3),
+                        one = verified.pose_difference.col(verified.turns_freely ? 2 : 0);
+  const Eigen::Vector3d other =
+      verified.turns_freely ? Eigen::Vector3d(-one) : Eigen::Vector3d(verified.pose_difference.col(1));
   const double squares = off.squaredNorm() + (off + weight * one).squaredNorm() + (off + weight * other).squaredNorm();
   return std::sqrt(squares / 3);
 }
@@ -124,15 +126,15 @@ Matrix past(const DhLink& link, double joint, const Matrix& before) {
 
 }  // namespace
 
-Eigen::Matrix4d verified_pose(const Chain& arm, const Eigen::VectorXd& q) {
+Eigen::Matrix4d reference_pose(const Chain& arm, const Eigen::VectorXd& q) {
   Matrix pose = pose_of(arm.base());
   Eigen::Index joint = 0;
   for (const DhLink& link : arm.links()) pose = past(link, q[joint++], pose);
   return product(pose, pose_of(arm.tool()));
 }
 
-Eigen::Matrix4d verified_pose(const Robot& arm, const Eigen::VectorXd& q) {
-  if (arm.description.empty()) return verified_pose(arm.chain, q);
+Eigen::Matrix4d reference_pose(const Robot& arm, const Eigen::VectorXd& q) {
+  if (arm.description.empty()) return reference_pose(arm.chain, q);
   Matrix pose = Matrix::Identity();
   Eigen::Index moving = 0;
   for (const DescribedJoint& joint : arm.description) {
@@ -144,7 +146,7 @@ Eigen::Matrix4d verified_pose(const Robot& arm, const Eigen::VectorXd& q) {
 
 Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start, const Eigen::VectorXd& answer,
                     bool turns_freely, int motion_joints) {
-  const Eigen::Matrix4d reached = verified_pose(robot, answer), wanted = target.matrix();
+  const Eigen::Matrix4d reached = reference_pose(robot, answer), wanted = target.matrix();
   const Eigen::Matrix3d R = reached.topLeftCorner<3, 3>(), R_wanted = wanted.topLeftCorner<3, 3>();
   // The remaining turn moves only z: z is off by 2 sin(angle / 2).
   const double turned_off = turns_freely ? std::sqrt(2.0) * (R - R_wanted).col(2).norm() : (R - R_wanted).norm();
@@ -158,28 +160,28 @@ Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorX
           .turns_freely = turns_freely,
           .orientation_error = turned_off / R_wanted.norm(),
           .angle = angle_of(turned_off),
-          .off = (reached - wanted).topRows<3>(),
-          .variation = turned.head(counted).norm(),
-          .variation_m = slid.norm(),
+          .pose_difference = (reached - wanted).topRows<3>(),
+          .joint_motion = turned.head(counted).norm(),
+          .joint_motion_m = slid.norm(),
           .largest_move = largest(turned.cwiseAbs()),
           .limit_violation = beyond_rounding(largest(of_joints(robot, outside, false))),
           .limit_violation_m = beyond_rounding(largest(of_joints(robot, outside, true)))};
 }
 
-bool is_over(const ResourceUse& spent, const StopRule& budget) {
+bool exceeds_budget(const ResourceUse& spent, const StopRule& budget) {
   const auto exceeds = [](double used, double given) { return given > 0 && used > max_budget_ratio * given; };
   return exceeds(spent.seconds, budget.seconds) ||
          exceeds(static_cast<double>(spent.evaluations), static_cast<double>(budget.evaluations)) ||
          exceeds(static_cast<double>(spent.iterations), budget.iterations);
 }
 
-Status status_by(const Verification& verified, const AcceptanceCriteria& requirement) {
+Status classify(const Verification& verified, const AcceptanceCriteria& requirement) {
   if (!std::isfinite(verified.position_error) || !std::isfinite(verified.orientation_error)) return Status::not_finite;
-  const bool claim_holds = std::abs(verified.position_error - requirement.claimed_error) <=
-                           rounding + requirement.claim_slack;  // false for NaN
+  const bool claim_holds = std::abs(verified.position_error - requirement.reported_error) <=
+                           rounding + requirement.report_tolerance;  // false for NaN
   const bool pose_claim_holds =
       requirement.rotation_weight == 0 ||
-      std::abs(pose_error(verified, requirement.rotation_weight) - requirement.claimed_pose_error) <= rounding;
+      std::abs(pose_error(verified, requirement.rotation_weight) - requirement.reported_pose_error) <= rounding;
   const bool turned_wrong = requirement.orientation_is_exact && verified.orientation_error > rounding;
   if (!claim_holds || !pose_claim_holds || turned_wrong) return Status::claimed_but_wrong;
   if (verified.limit_violation > 0 || verified.limit_violation_m > 0)

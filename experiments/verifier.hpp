@@ -17,18 +17,18 @@ struct Verification {
   double orientation_error = 0;  // ||R - Rd|| / ||Rd||, Eq. 3
   double angle = 0;              // between R and Rd [rad], 0 to pi
   // The reached frame minus the target: x, y and z axes of the tool as unit vectors, and its point [m].
-  Eigen::Matrix<double, 3, 4> off = Eigen::Matrix<double, 3, 4>::Zero();
+  Eigen::Matrix<double, 3, 4> pose_difference = Eigen::Matrix<double, 3, 4>::Zero();
   // Revolute joints [rad] and prismatic joints [m] (_m) are never added. A continuous joint moves the shorter way
   // round.
-  double variation = 0, variation_m = 0;              // Eq. 12
+  double joint_motion = 0, joint_motion_m = 0;        // Eq. 12
   double largest_move = 0;                            // [rad], of one revolute joint
   double limit_violation = 0, limit_violation_m = 0;  // of the worst joint; 0 inside and up to 1e-9 outside
 };
 
 // Returns the tool pose of a configuration by the verifier's own route. For a Chain that is its table. For a Robot from
 // a URDF file it is the origins and axes of the file, so that their conversion to a table is verified, too.
-Eigen::Matrix4d verified_pose(const robots::Chain& arm, const Eigen::VectorXd& q);
-Eigen::Matrix4d verified_pose(const robots::Robot& arm, const Eigen::VectorXd& q);
+Eigen::Matrix4d reference_pose(const robots::Chain& arm, const Eigen::VectorXd& q);
+Eigen::Matrix4d reference_pose(const robots::Robot& arm, const Eigen::VectorXd& q);
 
 // Verifies an answer. `answer` and `start` have all joints of the robot. An answer that is not finite gives errors that
 // are not finite. With `turns_freely` the turn about the tool's z axis is free. Joint motion is that of the first
@@ -38,9 +38,9 @@ Verification verify(const robots::Robot& robot, const robots::Pose& target, cons
 
 // The requirements of an answer, besides being a finite configuration.
 struct AcceptanceCriteria {
-  double claimed_error = 0;           // [m], as the solver reports it
-  double claim_slack = 0;             // [m] that it may be off, besides rounding
-  double claimed_pose_error = 0;      // [m], of three points of the tool, as solvers::Objective
+  double reported_error = 0;          // [m], as the solver reports it
+  double report_tolerance = 0;        // [m] that it may be off, besides rounding
+  double reported_pose_error = 0;     // [m], of three points of the tool, as solvers::Objective
   double rotation_weight = 0;         // [m]; 0: only positions are searched, without a pose claim
   solvers::StopRule stop = {};        // only the tolerances count
   bool orientation_is_exact = false;  // true if the closed form of the wrist completes answers
@@ -48,7 +48,7 @@ struct AcceptanceCriteria {
 };
 
 // How far [m] the self-reported error of a program may be off: rounding to single precision.
-constexpr double claim_slack_of_programs = 1e-6;
+constexpr double program_report_tolerance = 1e-6;
 
 // The share of its budget up to which a solver that stops by itself is not over budget.
 constexpr double max_budget_ratio = 1.5;
@@ -58,10 +58,10 @@ struct ResourceUse {
   std::int64_t evaluations = 0, iterations = 0;
 };
 // Returns true if a solver that stops by itself took more than `max_budget_ratio` times its budget.
-bool is_over(const ResourceUse& spent, const solvers::StopRule& budget);
+bool exceeds_budget(const ResourceUse& spent, const solvers::StopRule& budget);
 
 // Returns the most severe fault of an answer, in the order of Status (results/record.hpp). A difference of 1e-9 (m,
 // rad) is rounding.
-results::Status status_by(const Verification& verified, const AcceptanceCriteria& requirement);
+results::Status classify(const Verification& verified, const AcceptanceCriteria& requirement);
 
 }  // namespace ikbench::experiments

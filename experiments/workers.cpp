@@ -40,22 +40,22 @@ SuspensionWatch::~SuspensionWatch() {
   thread_.join();
 }
 
-SuspensionWatch::Clock::duration SuspensionWatch::paused() {
+SuspensionWatch::Clock::duration SuspensionWatch::suspended() {
   const std::scoped_lock lock(mutex_);
   return look();
 }
 
 SuspensionWatch::Clock::duration SuspensionWatch::look() {
   const Clock::time_point now = Clock::now();
-  if (const Clock::duration gap = now - last_; gap > std::chrono::milliseconds(200)) paused_ += gap;
+  if (const Clock::duration gap = now - last_; gap > std::chrono::milliseconds(200)) suspended_ += gap;
   last_ = now;
-  return paused_;
+  return suspended_;
 }
 
-void RecordQueue::hand_in(results::SolveRecord&& record) {
+void RecordQueue::push(results::SolveRecord&& record) {
   std::unique_lock lock(mutex_);
   waiting_.push_back(std::move(record));
-  while (!is_busy_ && !waiting_.empty() && Clock::now() - last_ >= patience_) pass_on(lock);
+  while (!is_busy_ && !waiting_.empty() && Clock::now() - last_ >= flush_interval_) pass_on(lock);
 }
 
 void RecordQueue::flush() {

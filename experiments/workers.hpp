@@ -21,8 +21,8 @@ namespace ikbench::experiments {
 struct Progress {
   std::int64_t done = 0;  // solves, including those that the store already had
   std::int64_t total = 0;
-  std::int64_t reused = 0;              // solves of `done` that the store already had
-  std::vector<std::string> notes = {};  // at the end: one sentence per odd program or class
+  std::int64_t reused = 0;                  // solves of `done` that the store already had
+  std::vector<std::string> anomalies = {};  // at the end: one sentence per odd program or class
 };
 
 // Returns true if a worker has to stop, because another one threw or the user cancelled.
@@ -43,7 +43,7 @@ class SuspensionWatch {
   SuspensionWatch(const SuspensionWatch&) = delete;
   SuspensionWatch& operator=(const SuspensionWatch&) = delete;
 
-  Clock::duration paused();  // so far, in pauses of more than 0.2 s
+  Clock::duration suspended();  // so far, in pauses of more than 0.2 s
 
  private:
   Clock::duration look();
@@ -52,7 +52,7 @@ class SuspensionWatch {
   std::condition_variable end_;
   bool is_over_ = false;
   Clock::time_point last_ = Clock::now();
-  Clock::duration paused_{0};
+  Clock::duration suspended_{0};
   std::thread thread_;
 };
 
@@ -64,15 +64,15 @@ class RecordQueue {
   using Consumer = std::function<void(std::vector<results::SolveRecord>&)>;  // the records are its own
 
   explicit RecordQueue(Consumer pass_on, Clock::duration patience = {})
-      : pass_on_(std::move(pass_on)), patience_(patience) {}
-  void hand_in(results::SolveRecord&& record);
+      : pass_on_(std::move(pass_on)), flush_interval_(patience) {}
+  void push(results::SolveRecord&& record);
   void flush();  // passes on what waits
 
  private:
   void pass_on(std::unique_lock<std::mutex>& lock);
 
   Consumer pass_on_;
-  Clock::duration patience_;
+  Clock::duration flush_interval_;
   Clock::time_point last_ = Clock::now();
   std::mutex mutex_;
   bool is_busy_ = false;

@@ -95,7 +95,7 @@ Fingerprint fingerprint(const Store& store, StoredStudy study) {
   std::ranges::sort(study.series, {}, [](const Series& series) { return std::tie(series.label, series.key); });
   Hash hash;
   std::int64_t solves = 0;
-  store.each_of_study(study, [&](SolveRecord& record) {
+  store.for_each_in_study(study, [&](SolveRecord& record) {
     add_record(hash, record);
     ++solves;
   });

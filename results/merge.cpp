@@ -77,7 +77,7 @@ void check_solves(const Store& store, StoredStudy study, const MakeCheck& check_
   // Another store's definition may have more runs, with which all of these solves count.
   study.definition.runs = std::numeric_limits<int>::max();
   try {
-    store.each_of_study(study, check_of(study));
+    store.for_each_in_study(study, check_of(study));
   } catch (const std::invalid_argument& error) {
     const std::string said = error.what();
     throw std::invalid_argument(said.starts_with(quoted(place)) ? said : fmt::format("{}: {}", quoted(place), said));
@@ -229,33 +229,33 @@ MergeResult merge(const fs::path& out, std::vector<fs::path> stores, const MakeC
     try {
       of_store = checked_studies(place, check_of);
     } catch (const std::invalid_argument& error) {
-      merged.left_out.push_back(error.what());
+      merged.skipped.push_back(error.what());
       return true;
     }
     refuse_another_study(studies, of_store, place);
     return false;
   });
-  if (stores.empty()) throw std::invalid_argument(fmt::format("{}", fmt::join(merged.left_out, "; ")));
+  if (stores.empty()) throw std::invalid_argument(fmt::format("{}", fmt::join(merged.skipped, "; ")));
   Store all(out, Store::Mode::write_shared);
   for (const fs::path& place : stores) {
     if (progress) progress(merged.stores, std::ssize(stores));
     if (fs::equivalent(place, out, none)) continue;
     ++merged.stores;
-    all.write_from(place, [&](SQLite::Database& sqlite) {
+    all.merge_from(place, [&](SQLite::Database& sqlite) {
       refuse_other_bits(sqlite, out, place);
       const std::int64_t added = copy_missing(sqlite);
       check_taken(sqlite, all, check_of, place);
       const std::int64_t checked = number_of(sqlite, checked_solves), there = number_of(sqlite, "source.solves");
       merged.added += added;
-      merged.known += checked - added;
+      merged.duplicates += checked - added;
       if (checked < there)
-        merged.left_out.push_back(
+        merged.skipped.push_back(
             fmt::format("{} of {} solves in {}, which none of its studies has", there - checked, there, quoted(place)));
     });
   }
   for (const StoredStudy& study : all.studies())
     if (const std::string lack = missing_solves_text(all, study); !lack.empty())
-      merged.lacks.push_back(study.name + ' ' + lack);
+      merged.incomplete.push_back(study.name + ' ' + lack);
   return merged;
 }
 

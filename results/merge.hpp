@@ -22,9 +22,9 @@ std::string missing_solves_text(const Store& store, const StoredStudy& study);
 struct MergeResult {
   std::int64_t stores = 0;  // stores that were read, without empty ones and `out`
   std::int64_t added = 0;
-  std::int64_t known = 0;             // solves that were there already, with the same bits
-  std::vector<std::string> lacks;     // sentences on studies that are not complete
-  std::vector<std::string> left_out;  // reasons: stores that cannot be read; solves that no study of their store has
+  std::int64_t duplicates = 0;          // solves that were there already, with the same bits
+  std::vector<std::string> incomplete;  // sentences on studies that are not complete
+  std::vector<std::string> skipped;     // reasons: stores that cannot be read; solves that no study of their store has
 };
 
 // Makes the check of a study's solves. The check throws std::invalid_argument for a solve that cannot be right.

@@ -61,13 +61,13 @@ constexpr std::array<std::string_view, 3> names_of(CountedBy) { return {"suite",
 constexpr double min_credible_seconds(double cpu_seconds) { return cpu_seconds / 2.2 - 0.001; }
 
 // Returns true if the solver gave no answer within its budget.
-constexpr bool is_without_answer(Status status) { return status >= Status::crashed; }
+constexpr bool has_no_answer(Status status) { return status >= Status::crashed; }
 // Returns true if the arm stayed where it was, which is then the record's answer.
-constexpr bool stays(Status status) { return status == Status::refused || is_without_answer(status); }
+constexpr bool arm_stays(Status status) { return status == Status::refused || has_no_answer(status); }
 // Returns true if the verifier finds the target reached.
 constexpr bool is_reached(Status status) { return status == Status::ok || status == Status::invalid; }
 // Returns true if nothing is wrong with the answer, whether it is near enough or not.
-constexpr bool is_in_order(Status status) { return status == Status::ok || status == Status::tolerance_missed; }
+constexpr bool is_sound(Status status) { return status == Status::ok || status == Status::tolerance_missed; }
 
 template <class Enum>
 constexpr std::string_view name_of(Enum value) {

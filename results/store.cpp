@@ -525,7 +525,7 @@ void Store::append(const std::vector<SolveRecord>& records) {
   });
 }
 
-std::vector<fs::path> Store::finish() {
+std::vector<fs::path> Store::close() {
   return guarded(database_->name, [&]() -> std::vector<fs::path> {
     if (database_->mode == Mode::write) database_->fold(folding_patience_ms);
     database_->check_place();
@@ -537,7 +537,7 @@ std::vector<fs::path> Store::finish() {
   });
 }
 
-void Store::write_from(const fs::path& source, const std::function<void(SQLite::Database&)>& action) {
+void Store::merge_from(const fs::path& source, const std::function<void(SQLite::Database&)>& action) {
   SQLite::Database& sqlite = database_->sqlite;
   std::string blamed = database_->name;
   try {
@@ -579,7 +579,7 @@ void Store::each_value(std::string_view left_out, const std::function<void(std::
   });
 }
 
-void Store::at_one_moment(const std::function<void()>& action) const {
+void Store::in_snapshot(const std::function<void()>& action) const {
   guarded(database_->name, [&] {
     SQLite::Transaction transaction(database_->sqlite);
     action();
@@ -587,7 +587,7 @@ void Store::at_one_moment(const std::function<void()>& action) const {
   });
 }
 
-void Store::each_of_series(const std::string& key, const RecordConsumer& take) const {
+void Store::for_each_in_series(const std::string& key, const RecordConsumer& take) const {
   guarded(database_->name, [&] {
     SQLite::Statement query(database_->sqlite,
                             fmt::format("SELECT {} FROM solves WHERE series = ? ORDER BY run, point", solve_columns()));
@@ -620,7 +620,7 @@ std::int64_t Store::stale_solve_count(std::string_view series) const {
   });
 }
 
-void Store::each_of_study(const StoredStudy& study, const RecordConsumer& take) const {
+void Store::for_each_in_study(const StoredStudy& study, const RecordConsumer& take) const {
   guarded(database_->name, [&] {
     SQLite::Statement query(
         database_->sqlite,
@@ -641,7 +641,7 @@ void Store::each_of_study(const StoredStudy& study, const RecordConsumer& take) 
 
 std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
   std::vector<SolveRecord> list;
-  each_of_study(study(study_name), [&](SolveRecord& record) { list.push_back(std::move(record)); });
+  for_each_in_study(study(study_name), [&](SolveRecord& record) { list.push_back(std::move(record)); });
   return list;
 }
 

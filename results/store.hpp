@@ -88,29 +88,29 @@ class Store {
   // Ends writing: makes the store one plain file, and waits some seconds for others who have it open. Returns the files
   // that have to be copied together: the store, and its log if that is still needed. Throws std::runtime_error if the
   // store is no longer in its place.
-  std::vector<std::filesystem::path> finish();
+  std::vector<std::filesystem::path> close();
 
   // Lets `action` write by SQL in one transaction, in which `source` has the tables of another store. `merge` needs
   // this.
-  void write_from(const std::filesystem::path& source, const std::function<void(SQLite::Database&)>& action);
+  void merge_from(const std::filesystem::path& source, const std::function<void(SQLite::Database&)>& action);
 
   // Passes every value of every row of every table to `take` as bytes. The order depends only on the rows. Facts of
   // sessions that are named `left_out` are skipped.
   void each_value(std::string_view left_out, const std::function<void(std::string_view bytes)>& take) const;
 
   // Lets `action` read the store as of one moment, whatever others write meanwhile.
-  void at_one_moment(const std::function<void()>& action) const;
+  void in_snapshot(const std::function<void()>& action) const;
   // Receives a solve, and may move from the record or change it.
   using RecordConsumer = std::function<void(SolveRecord&)>;
   // Calls `take` with every solve of one series, ordered by run and point.
-  void each_of_series(const std::string& key, const RecordConsumer& take) const;
+  void for_each_in_series(const std::string& key, const RecordConsumer& take) const;
   std::vector<std::string> extra_names(const StoredStudy& study) const;  // of the study's solves, sorted
   // Returns how many solves other sources made with the configuration of a series.
   std::int64_t stale_solve_count(std::string_view series) const;
   // Calls `take` with each current solve of a study, in the order of its series, then run, then point. Current are the
   // solves of the study's series, without runs and points beyond those of the definition. `label` of each solve is the
   // one of its series.
-  void each_of_study(const StoredStudy& study, const RecordConsumer& take) const;
+  void for_each_in_study(const StoredStudy& study, const RecordConsumer& take) const;
   // Returns all current solves at once: for a small study, or one that is not walked in this order.
   std::vector<SolveRecord> solves(const std::string& study) const;
   std::int64_t solve_count(const StoredStudy& study) const;

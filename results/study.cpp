@@ -57,7 +57,7 @@ void list_fields(base::Fields& io, StudySpec& study) {
             "random within them, or near a solution of a random target");
   io.number("near_deg", study.near, base::degree, {0, 360},
             "with start = \"near\": largest distance of each joint that turns from that solution");
-  io.whole("population", study.population, populations, "candidates per iteration; a solver can override it",
+  io.whole("population", study.population, population_range, "candidates per iteration; a solver can override it",
            base::InKey::in_text);
   io.whole("runs", study.runs, {1, 1'000'000}, "independent repetitions", base::InKey::no);
   io.whole("turns", study.turns, {1, 1000},
@@ -99,7 +99,7 @@ StudyDefinition parse_definition(std::string_view json) {
   study.draws_targets = targets == "drawn";
   reader.whole("points", study.points, counts);
   reader.texts("departures", study.departures);
-  reach.whole("points", study.out_of_reach, counts);
+  reach.whole("points", study.unreachable_targets, counts);
   arm.text("base_link", study.base_link);
   arm.text("tip_link", study.tip_link);
   arm.texts("notes", study.arm_notes);
@@ -109,7 +109,7 @@ StudyDefinition parse_definition(std::string_view json) {
     const auto link = table["arm"]["links"][j];
     const double unit = link["joint"].value_or(std::string()) == "slides" ? 1 : base::degree;
     const double step = velocities[j] * unit * study.loop.period;
-    study.steps.emplace_back(std::isnormal(step) ? step : INFINITY, link["limits_deg"].is_string());
+    study.max_steps.emplace_back(std::isnormal(step) ? step : INFINITY, link["limits_deg"].is_string());
   }
   study.arm = text_of(all.value("arm", base::Json()));
   study.task = text_of(all.value("initial_deg", base::Json()));

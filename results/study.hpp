@@ -26,8 +26,8 @@ struct AnalysisPlan {
   enum class Test { ranks, means } test = Test::ranks;
   enum class Values { runs, points } values = Values::runs;  // along a path: means over its points, or over the runs
   std::string metric = {};  // of the headline; empty: solved if any target is solved, otherwise the error
-  std::vector<std::string> then = {"time", "evaluations"};  // for solvers that the metric does not separate
-  std::string control = {};                                 // compares only with this group; empty: all pairs
+  std::vector<std::string> tie_breakers = {"time", "evaluations"};  // for solvers that the metric does not separate
+  std::string control = {};                                         // compares only with this group; empty: all pairs
   double significance = 0.05;
   double margin = 0.05;  // smallest difference that matters: a ratio outside 1 / 1.05 to 1.05; for shares, points
   double deadline = 0;   // [s] per solve; what is solved within it is a metric; 0: the loop's period, if any
@@ -49,7 +49,7 @@ inline void list_fields(base::Fields& io, AnalysisPlan& plan) {
       "metric", plan.metric,
       "what decides who is best, a metric of ikbench list metrics; \"\": solved where any target is solved, else the "
       "error");
-  io.texts("then", plan.then,
+  io.texts("then", plan.tie_breakers,
            "where solved does not tell solvers apart, what the headline goes on to: the first of these that is judged, "
            "out of time, evaluations and motion; []: nothing. These and the metric share the significance, and decide "
            "the exit code of compare");
@@ -74,7 +74,7 @@ inline void list_fields(base::Fields& io, ControlLoop& loop) {
 }
 
 // A program of the user that says which answers are valid. It is asked only about answers that reached their target.
-struct Check {
+struct AnswerCheck {
   std::vector<std::string> larger = {}, smaller = {};  // names of its numbers, by the direction that is better
   std::vector<std::string> process = {};               // empty: there is no check
   std::string digest = {};                             // hash of its program, a part of the series' key; not stored
@@ -84,9 +84,9 @@ struct Check {
     all.insert(all.end(), smaller.begin(), smaller.end());
     return all;
   }
-  bool operator==(const Check&) const = default;
+  bool operator==(const AnswerCheck&) const = default;
 };
-inline void list_fields(base::Fields& io, Check& check) {
+inline void list_fields(base::Fields& io, AnswerCheck& check) {
   io.texts("larger", check.larger, "numbers that it gives of every answer, of which larger ones are better");
   io.texts("smaller", check.smaller, "the same, of which smaller ones are better");
 }
@@ -118,7 +118,7 @@ enum class BoundsPolicy { per_solver, initial, clamp };
 // recorded: an answer outside is kept and reported.
 // enforced: limits hold for every solver and for the wrist; an answer outside is refused, and the arm stays where it
 // was.
-enum class Limits { recorded, enforced };
+enum class LimitPolicy { recorded, enforced };
 
 // The whole turns by which revolute joints of an answer are turned afterwards. No pose changes.
 // into_limits: back inside the limits, where possible.
@@ -132,12 +132,12 @@ enum class Start { previous, initial, middle, random, near };
 // The state in which a timed call begins.
 // first: the first call on its target, after other solvers' work, as in a program that does other things.
 // hot: the second call on its target, with warm caches, as in a loop over many targets.
-enum class CacheState { first, hot };
+enum class CacheState { first, warm };
 
 // The names as in files, in the order of the enumerators.
 constexpr std::array<std::string_view, 5> names_of(Search) { return {"wrist", "all_joints", "pose", "axis", "flange"}; }
 constexpr std::array<std::string_view, 3> names_of(BoundsPolicy) { return {"per_solver", "initial", "clamp"}; }
-constexpr std::array<std::string_view, 2> names_of(Limits) { return {"recorded", "enforced"}; }
+constexpr std::array<std::string_view, 2> names_of(LimitPolicy) { return {"recorded", "enforced"}; }
 constexpr std::array<std::string_view, 5> names_of(Start) {
   return {"previous", "initial", "middle", "random", "near"};
 }
@@ -156,7 +156,7 @@ struct StudySpec {
   BoundsPolicy bounds = BoundsPolicy::per_solver;
   WristBranch wrist_branch = WristBranch::nearest;
   WristTurns wrist_turns = WristTurns::principal;
-  Limits limits = Limits::recorded;
+  LimitPolicy limits = LimitPolicy::recorded;
   WrapPolicy wrap = WrapPolicy::no;
   int motion_joints = 0;
   Start start = Start::previous;
@@ -168,7 +168,7 @@ struct StudySpec {
   std::uint64_t seed = 1;
   numerics::StopRule stop;
   ControlLoop loop;
-  Check check;
+  AnswerCheck check;
   AnalysisPlan plan;    // decides no number of a solve
   FigureStyle figures;  // colours of solver entries are in these entries of a study file
 
@@ -178,7 +178,7 @@ struct StudySpec {
   bool has_tolerance() const { return stop.tolerance > 0 || stop.angle_tolerance > 0; }
 };
 
-constexpr std::pair<std::int64_t, std::int64_t> populations{1, 100'000};
+constexpr std::pair<std::int64_t, std::int64_t> population_range{1, 100'000};
 constexpr std::size_t most_solvers = 400;  // per study, because its report has all pairs
 
 // Lists the fields once: name, member, range, meaning, and whether each decides a number of a solve. Readers and
@@ -195,11 +195,11 @@ struct StudyDefinition : StudySpec {
   std::vector<std::string> arm_notes;   // sentences on what was not taken from the file as it stands
   std::vector<std::string> departures;  // settings that differ from the published study
   // How far each joint can move in a period of the loop [rad, m], and whether it is continuous; empty without a loop.
-  std::vector<std::pair<double, bool>> steps;
-  int out_of_reach = 0;  // targets that no configuration reaches
-  std::string arm;       // JSON, as robots/robot.hpp reads it
-  std::string task;      // JSON: the initial configuration, and how targets are drawn
-  std::string json;      // the whole definition, as the store has it
+  std::vector<std::pair<double, bool>> max_steps;
+  int unreachable_targets = 0;  // targets that no configuration reaches
+  std::string arm;              // JSON, as robots/robot.hpp reads it
+  std::string task;             // JSON: the initial configuration, and how targets are drawn
+  std::string json;             // the whole definition, as the store has it
 
   // [s] within which a solve counts as in time; 0: there is none.
   double deadline() const { return plan.deadline > 0 ? plan.deadline : loop.period; }

@@ -40,8 +40,8 @@ struct Layout {
 
 // Something was not said: a sentence, the columns of the file as a table, the options of each possible answer, the
 // options to add where not all answers are listed, with what is open in capitals, and what the options mean.
-struct Question : std::invalid_argument {
-  explicit Question(const std::string& what) : invalid_argument(what) {}
+struct MissingOption : std::invalid_argument {
+  explicit MissingOption(const std::string& what) : invalid_argument(what) {}
   std::vector<std::vector<std::string>> columns = {};
   std::vector<std::string> options = {};
   std::vector<std::vector<std::string>> answers = {};

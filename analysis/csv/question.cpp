@@ -53,16 +53,16 @@ class Asking {
     for (const std::size_t column : known.columns) facts_.push_back(environment_values(column));
   }
 
-  Question question(std::string_view what) const {
+  MissingOption question(std::string_view what) const {
     const std::string counted_in = is_long_ ? fmt::format(", counted in the first {},", few_rows) : "";
-    Question asked(sheet_.said(
+    MissingOption asked(sheet_.said(
         fmt::format("{} It has {}{} of", what, base::counted(std::ssize(sheet_.rows()), "rows"), counted_in)));
     asked.columns = described();
     return asked;
   }
 
   // Adds the answers that there can be, given what is known of labels and values.
-  void answer_columns(Question& asked) const {
+  void answer_columns(MissingOption& asked) const {
     const Columns labels = possible_labels(), values = possible_values();
     if (!request_.are_summaries && !known_.label && known_.values.empty() && are_summaries(sheet_) && has_unique_name())
       return answer_by_summaries(sheet_, asked, better());
@@ -113,7 +113,7 @@ class Asking {
     return means.size() > 1 && 2 * means.size() == all.size() ? means : Columns();
   }
 
-  void answer_rows(Question& asked) const { add_answers_of_rows(asked, {}, known_.label, known_.values); }
+  void answer_rows(MissingOption& asked) const { add_answers_of_rows(asked, {}, known_.label, known_.values); }
 
  private:
   Facts environment_values(std::size_t column) const {
@@ -198,7 +198,7 @@ class Asking {
 
   // Adds an answer for each label and value that there can be, if they are few. Whole commands would be too many: each
   // of these leads to the question what a row is. Returns whether it added any.
-  bool add_answers_of_columns(Question& asked, const Columns& labels) const {
+  bool add_answers_of_columns(MissingOption& asked, const Columns& labels) const {
     std::vector<Options> of_labels, of_values;
     for (const std::size_t label : known_.label ? Columns() : labels) of_labels.push_back({"--label", title(label)});
     for (const std::size_t value : known_.values.empty() ? varying_values() : Columns())
@@ -242,12 +242,12 @@ class Asking {
 
   Options better() const { return request_.better.empty() ? Options{"--better", "smaller"} : Options(); }
 
-  void add_answer(Question& asked, const Options& options, const Options& more) const {
+  void add_answer(MissingOption& asked, const Options& options, const Options& more) const {
     asked.answers.push_back(joined(joined(options, more), better()));
   }
 
   // With options that settle labels and values, the answers to what a row is. A missing label: each column is one.
-  void add_answers_of_rows(Question& asked, const Options& options, Column label, const Columns& values) const {
+  void add_answers_of_rows(MissingOption& asked, const Options& options, Column label, const Columns& values) const {
     if (!request_.block.empty() || !request_.run.empty()) return add_answer(asked, options, {});
     if (!label && known_.columns.size() == values.size() + known_.indices.size()) {
       for (const Options& row : {each_row(), Options{"--block", "row"}})
@@ -347,7 +347,7 @@ class Asking {
   std::vector<Facts> facts_;
 };
 
-std::string advice_of(const Question& asked, const Request& request, bool is_of_rows) {
+std::string advice_of(const MissingOption& asked, const Request& request, bool is_of_rows) {
   const auto has_option = [&](std::string_view option) { return std::ranges::count(asked.options, option) > 0; };
   std::string advice;
   if (!is_of_rows) advice += "--label: who is compared, or `columns` if each column of numbers is one. ";
@@ -366,7 +366,7 @@ bool are_summaries(const Sheet& sheet) {
   return columns.mean && columns.sd;
 }
 
-void answer_by_summaries(const Sheet& sheet, Question& asked, const Options& better) {
+void answer_by_summaries(const Sheet& sheet, MissingOption& asked, const Options& better) {
   Options options = joined({"--summaries"}, better);
   if (summary_columns_of(sheet).n)
     asked.answers.push_back(options);
@@ -392,7 +392,7 @@ void ask_for_columns(const Sheet& sheet, const Request& request, const Known& kn
   std::string what = "which columns are what?";
   if (!means.empty())
     what += fmt::format(" Beside their spreads stand means, {}, to be compared as values.", base::names_of(means));
-  Question asked = asking.question(what);
+  MissingOption asked = asking.question(what);
   asking.answer_columns(asked);
   asked.advice = advice_of(asked, request, false);
   throw asked;
@@ -400,7 +400,7 @@ void ask_for_columns(const Sheet& sheet, const Request& request, const Known& kn
 
 void ask_for_rows(const Sheet& sheet, const Request& request, const Known& known) {
   const Asking asking(sheet, request, known);
-  Question asked = asking.question("what is a row?");
+  MissingOption asked = asking.question("what is a row?");
   asking.answer_rows(asked);
   asked.advice = advice_of(asked, request, true);
   throw asked;

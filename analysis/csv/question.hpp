@@ -22,7 +22,7 @@ struct Known {
 
 // Whether the rows have means and standard deviations, as --summaries reads them; the answer that says so.
 bool are_summaries(const Sheet& sheet);
-void answer_by_summaries(const Sheet& sheet, Question& asked, const std::vector<std::string>& better);
+void answer_by_summaries(const Sheet& sheet, MissingOption& asked, const std::vector<std::string>& better);
 
 // Throws the Question. Where few answers are possible, each is a whole command; else what is open has a placeholder.
 [[noreturn]] void ask_for_columns(const Sheet& sheet, const Request& request, const Known& known);

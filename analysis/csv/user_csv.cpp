@@ -81,7 +81,7 @@ void expect_repeats(const Sheet& sheet, const Layout& layout, const Items& items
       items.groups.size() == items.values.size() && items.values.size() > 2;  // two may be a sketch
   if (is_each_row) sheet.refuse_units(*layout.label);
   if (is_each_row && are_summaries(sheet)) {
-    Question asked(sheet.said(fmt::format("{} names each row, as in a table of printed means", title)));
+    MissingOption asked(sheet.said(fmt::format("{} names each row, as in a table of printed means", title)));
     answer_by_summaries(
         sheet, asked,
         request.better.empty() ? std::vector<std::string>{"--better", "smaller"} : std::vector<std::string>());
@@ -133,7 +133,7 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
 // Asks which way is better in a column; `are_others_said`: of other columns it is known.
 [[noreturn]] void ask_better(const Sheet& sheet, const std::string& title, bool is_one_of_several,
                              bool are_others_said) {
-  Question question(sheet.said(
+  MissingOption question(sheet.said(
       fmt::format("is smaller or larger better in {}? Say --better smaller or --better larger{}", in_quotes(title),
                   is_one_of_several ? fmt::format("; of this column alone --better {}=larger", title) : "")));
   for (const char* way : {"smaller", "larger"})
@@ -166,10 +166,10 @@ std::vector<Better> better_of(const Sheet& sheet, const Request& request, const 
 
 MetricSamples quantity_of(const std::string& title) {
   const base::Title parts(title);
-  MetricSamples observed{.metric = "", .quantity = parts.name, .unit = parts.unit};
+  MetricSamples samples{.metric = "", .quantity = parts.name, .unit = parts.unit};
   for (const char c : base::lower_case(title))
-    observed.metric += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
-  return observed;
+    samples.metric += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
+  return samples;
 }
 
 // Rows without a value, of those that a group should have: in a block as many as any group has, since all had the same
@@ -220,25 +220,25 @@ void ask_about(const Gaps& gaps, const Sheet& sheet, const Items& items, const R
     if (gaps.missing[i] > 0) who.push_back(fmt::format("{} {}", items.groups[i], gaps.missing[i]));
   }
   const std::string drop = "--missing drop leaves them out", worst = "--missing worst counts them as no answer";
-  Question question(sheet.said(fmt::format("{} of {} rows have no value ({}). What do they count as? {}", missing, rows,
-                                           base::front(base::listed(who, ", "), 300),
-                                           request.are_means ? drop : drop + "; " + worst)));
+  MissingOption question(sheet.said(fmt::format("{} of {} rows have no value ({}). What do they count as? {}", missing,
+                                                rows, base::front(base::listed(who, ", "), 300),
+                                                request.are_means ? drop : drop + "; " + worst)));
   question.answers = {{"--missing", "drop"}};
   if (!request.are_means) question.answers.push_back({"--missing", "worst"});
   throw question;
 }
 
 // The value of a group in a unit in which rows are missing, each as no answer.
-double worst_value(const MetricSamples& observed, double sum, double rows, double missing) {
-  const bool is_larger_better = observed.better == Better::larger;
-  if (observed.scale == EffectScale::share) return (sum + (is_larger_better ? 0 : missing)) / (rows + missing);
+double worst_value(const MetricSamples& samples, double sum, double rows, double missing) {
+  const bool is_larger_better = samples.better == Better::larger;
+  if (samples.scale == EffectScale::share) return (sum + (is_larger_better ? 0 : missing)) / (rows + missing);
   return is_larger_better ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
 }
 
 // Makes the sample of one group, one value per unit.
-Measured measured_in(const Layout& layout, std::span<const Mean> means, const Gaps& gaps, const Request& request,
-                     const MetricSamples& observed) {
-  Measured measured;
+Sample measured_in(const Layout& layout, std::span<const Mean> means, const Gaps& gaps, const Request& request,
+                   const MetricSamples& samples) {
+  Sample measured;
   const bool is_worst = request.missing == "worst";
   const auto add = [&](Index unit, double value) {
     measured.values.push_back(value);
@@ -246,7 +246,7 @@ Measured measured_in(const Layout& layout, std::span<const Mean> means, const Ga
   };
   Index next = 0;  // unit of a block that was not seen
   const auto add_absent = [&](Index end) {
-    for (; next < end; ++next) add(next, worst_value(observed, 0, 0, gaps.rows_of_unit[next]));
+    for (; next < end; ++next) add(next, worst_value(samples, 0, 0, gaps.rows_of_unit[next]));
   };
   for (const Mean& mean : means) {
     if (layout.block && is_worst) add_absent(mean.unit);
@@ -254,28 +254,28 @@ Measured measured_in(const Layout& layout, std::span<const Mean> means, const Ga
     const Index missing = layout.block ? gaps.rows_of_unit[mean.unit] - mean.rows : mean.missing;
     const auto sum = static_cast<double>(mean.sum);
     if (missing > 0 && is_worst)
-      add(mean.unit, worst_value(observed, sum, mean.rows, missing));
+      add(mean.unit, worst_value(samples, sum, mean.rows, missing));
     else if (mean.rows > 0)
       add(mean.unit, static_cast<double>(mean.sum / mean.rows));
   }
   if (layout.block && is_worst) add_absent(static_cast<Index>(gaps.rows_of_unit.size()));
   // Such as time-outs have no end that anybody knows, so they repeat nothing.
   const std::vector<double>& values = measured.values;
-  measured.may_be_copies = values.size() > 1 && std::isfinite(values.front()) &&
-                           std::ranges::count(values, values.front()) == std::ssize(values);
+  measured.is_constant = values.size() > 1 && std::isfinite(values.front()) &&
+                         std::ranges::count(values, values.front()) == std::ssize(values);
   return measured;
 }
 
 // The warnings about values that are missing, no answers, or without a label.
-void add_doubts(const Items& items, const Gaps& gaps, const Request& request, MetricSamples& observed) {
-  Doubt missing{.kind = WarningKind::incomplete,
-                .what = request.missing == "worst" ? "rows have no value and count as no answer"
-                                                   : "rows have no value and are left out"};
-  Doubt without{.kind = WarningKind::without_answer, .what = "values are no answers"};
-  const auto add = [](Doubt& doubt, const std::string& group, std::size_t count) {
+void add_doubts(const Items& items, const Gaps& gaps, const Request& request, MetricSamples& samples) {
+  Warning missing{.kind = WarningKind::incomplete,
+                  .detail = request.missing == "worst" ? "rows have no value and count as no answer"
+                                                       : "rows have no value and are left out"};
+  Warning without{.kind = WarningKind::no_answer, .detail = "values are no answers"};
+  const auto add = [](Warning& warning, const std::string& group, std::size_t count) {
     if (count == 0) return;
-    doubt.who.push_back(group);
-    doubt.count += static_cast<double>(count);
+    warning.solvers.push_back(group);
+    warning.count += static_cast<double>(count);
   };
   std::vector<std::size_t> infinite(items.groups.size());
   for (const Value& item : items.values) infinite[item.group] += std::isinf(item.value);
@@ -284,61 +284,61 @@ void add_doubts(const Items& items, const Gaps& gaps, const Request& request, Me
     const bool has_values = gaps.missing[i] < gaps.rows[i];
     add(missing, items.groups[i], gaps.missing[i]);
     add(without, items.groups[i], infinite[i]);
-    for (Doubt* const doubt : {&missing, &without}) doubt->of += static_cast<double>(gaps.rows[i]);
+    for (Warning* const warning : {&missing, &without}) warning->total += static_cast<double>(gaps.rows[i]);
     if (!has_values) continue;  // it is not compared
     least = std::min(least, gaps.share(i));
     most = std::max(most, gaps.share(i));
   }
-  Doubt favoured{.kind = WarningKind::favoured_by_drop,
-                 .count = most > least + 0.1 && request.missing == "drop" ? 1.0 : 0.0,
-                 .what = fmt::format("{:.0f} to {:.0f} %", 100 * least, 100 * most)};
+  Warning favoured{.kind = WarningKind::favoured_by_drop,
+                   .count = most > least + 0.1 && request.missing == "drop" ? 1.0 : 0.0,
+                   .detail = fmt::format("{:.0f} to {:.0f} %", 100 * least, 100 * most)};
   for (std::size_t i = 0; i < items.groups.size(); ++i)
-    if (gaps.share(i) > least + 0.1 && gaps.missing[i] < gaps.rows[i]) favoured.who.push_back(items.groups[i]);
-  Doubt stray{.kind = WarningKind::runs_missing,
-              .count = static_cast<double>(items.unlabelled),
-              .of = static_cast<double>(items.unlabelled + items.values.size()),
-              .what = "rows without a label, left out"};
-  for (Doubt* doubt : {&missing, &without, &stray, &favoured})
-    if (doubt->count > 0) observed.doubts.push_back(std::move(*doubt));
+    if (gaps.share(i) > least + 0.1 && gaps.missing[i] < gaps.rows[i]) favoured.solvers.push_back(items.groups[i]);
+  Warning stray{.kind = WarningKind::runs_missing,
+                .count = static_cast<double>(items.unlabelled),
+                .total = static_cast<double>(items.unlabelled + items.values.size()),
+                .detail = "rows without a label, left out"};
+  for (Warning* warning : {&missing, &without, &stray, &favoured})
+    if (warning->count > 0) samples.warnings.push_back(std::move(*warning));
 }
 
 // Where no number of a group differs from block to block, the blocks may be one measurement that was copied.
-void warn_of_copies(MetricSamples& observed) {
-  if (observed.scale == EffectScale::share) return;
-  Doubt copies{.kind = WarningKind::may_be_one_measurement};
-  for (const Group& group : observed.groups)
-    if (may_be_copies(group)) copies.who.push_back(group.name);
-  if (copies.who.size() > 1) observed.doubts.push_back(std::move(copies));
+void warn_of_copies(MetricSamples& samples) {
+  if (samples.scale == EffectScale::share) return;
+  Warning copies{.kind = WarningKind::may_be_one_measurement};
+  for (const Group& group : samples.groups)
+    if (is_constant(group)) copies.solvers.push_back(group.name);
+  if (copies.solvers.size() > 1) samples.warnings.push_back(std::move(copies));
 }
 
 // The values of each group.
-void fill(const Layout& layout, const Items& items, const Gaps& gaps, const Request& request, MetricSamples& observed) {
-  observed.is_paired = layout.block.has_value();
-  observed.may_hold_copies = !layout.block && request.run.empty() && observed.scale != EffectScale::share;
-  if (observed.scale == EffectScale::share)
-    observed.trials = static_cast<int>(std::ranges::max(items.means, {}, &Mean::rows).rows);
+void fill(const Layout& layout, const Items& items, const Gaps& gaps, const Request& request, MetricSamples& samples) {
+  samples.is_paired = layout.block.has_value();
+  samples.may_hold_copies = !layout.block && request.run.empty() && samples.scale != EffectScale::share;
+  if (samples.scale == EffectScale::share)
+    samples.trials_per_observation = static_cast<int>(std::ranges::max(items.means, {}, &Mean::rows).rows);
   for (Index group = 0; group < items.groups.size(); ++group) {
     const std::span means(std::ranges::lower_bound(items.means, group, {}, &Mean::group),
                           std::ranges::upper_bound(items.means, group, {}, &Mean::group));
-    observed.groups.push_back(
-        {.name = items.groups[group], .sample = measured_in(layout, means, gaps, request, observed)});
+    samples.groups.push_back(
+        {.name = items.groups[group], .sample = measured_in(layout, means, gaps, request, samples)});
   }
-  add_doubts(items, gaps, request, observed);
-  if (layout.block) warn_of_copies(observed);
+  add_doubts(items, gaps, request, samples);
+  if (layout.block) warn_of_copies(samples);
 }
 
 // Chooses shares, ratios or differences by all values.
-void settle(const Items& items, MetricSamples& observed, std::vector<std::string>& notes) {
+void settle(const Items& items, MetricSamples& samples, std::vector<std::string>& notes) {
   const auto count = [&](auto is_so) { return std::ranges::count_if(items.values, is_so, &Value::value); };
   const auto shares = count([](double value) { return value == 0 || value == 1; });
   const auto low = count([](double value) { return value <= 0; });
   if (shares > 0 && shares + count([](double value) { return std::isnan(value); }) == std::ssize(items.values)) {
-    observed.scale = EffectScale::share;
-    notes.push_back(fmt::format("All values of {} are 0 or 1: shares are compared.", observed.quantity));
+    samples.scale = EffectScale::share;
+    notes.push_back(fmt::format("All values of {} are 0 or 1: shares are compared.", samples.quantity));
   } else if (low > 0) {
-    observed.scale = EffectScale::difference;
+    samples.scale = EffectScale::difference;
     notes.push_back(fmt::format("{} of {} values of {} are 0 or below: differences are compared, not ratios.", low,
-                                items.values.size(), observed.quantity));
+                                items.values.size(), samples.quantity));
   }
 }
 
@@ -393,26 +393,25 @@ Quantities values_in(Sheet& sheet, const Request& request) {
   const std::vector<Better> better = better_of(sheet, request, titles);
   for (std::size_t i = 0; i < titles.size(); ++i) {
     const Items items = items_of(sheet, layout, layout.label ? Columns{layout.values[i]} : layout.values, request);
-    MetricSamples observed = quantity_of(titles[i]);
+    MetricSamples samples = quantity_of(titles[i]);
     const auto name_of = [](const std::string& title) { return quantity_of(title).quantity; };
-    if (std::ranges::count(titles, observed.quantity, name_of) > 1)
-      observed.quantity = titles[i], observed.unit.clear();
+    if (std::ranges::count(titles, samples.quantity, name_of) > 1) samples.quantity = titles[i], samples.unit.clear();
     if (i == 0) quantities.notes.push_back(how_read(sheet, layout, items, request.where));
     if (i == 0 && !aggregates.empty())
       quantities.notes.push_back(
           fmt::format("Left out are rows that sum up others: {}.", base::front(base::names_of(aggregates), 300)));
     if (i == 0 && layout.block && min_p_paired(items.units) > AnalysisPlan().significance)
       note_blocks(sheet, layout, items, quantities.notes);
-    settle(items, observed, quantities.notes);
-    observed.better = better[i];
+    settle(items, samples, quantities.notes);
+    samples.better = better[i];
     for (const Value& item : items.values)
-      if (std::isinf(item.value) && (item.value < 0 || observed.better == Better::larger))
+      if (std::isinf(item.value) && (item.value < 0 || samples.better == Better::larger))
         sheet.refuse(item.row, item.column,
                      "has no meaning: inf stands for no answer, where smaller is better; otherwise write NA");
     const Gaps gaps = gaps_of(layout, items);
     ask_about(gaps, sheet, items, request);
-    fill(layout, items, gaps, request, observed);
-    quantities.observed.push_back(std::move(observed));
+    fill(layout, items, gaps, request, samples);
+    quantities.observed.push_back(std::move(samples));
   }
   return quantities;
 }
@@ -426,7 +425,7 @@ SummaryColumns expected_columns(const Sheet& sheet, const Request& request) {
     sheet.refuse(fmt::format("column {} says how many values a mean has, and --n does, too; leave --n out",
                              in_quotes(sheet.titles()[*columns.n])));
   if (columns.n || request.n > 0) return columns;
-  Question question(
+  MissingOption question(
       sheet.said("no column n: of how many values is each mean? --n 10 says 10 for all; else add a column n"));
   question.options = {"--n", "N"};
   throw question;
@@ -454,9 +453,9 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
     const std::string title(quantity ? sheet.cell(row, *quantity) : "value");
     const auto place = static_cast<std::size_t>(std::ranges::find(titles, title) - titles.begin());
     if (place == titles.size()) titles.push_back(title), quantities.observed.push_back(quantity_of(title));
-    MetricSamples& observed = quantities.observed[place];
-    observed.scale = EffectScale::difference;
-    std::vector<Group>& groups = observed.groups;
+    MetricSamples& samples = quantities.observed[place];
+    samples.scale = EffectScale::difference;
+    std::vector<Group>& groups = samples.groups;
     const std::string name(sheet.cell(row, label));
     if (name.empty() || std::ranges::count(groups, name, &Group::name) > 0)
       sheet.refuse(row, label, "is no name of another group; --where takes rows of one problem");
@@ -472,9 +471,9 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
                                     .sd = number(*columns.sd, 0)};
     groups.push_back({.name = name, .sample = summary});
     if (summary.sd > 0) continue;  // else, or if it was rounded away, the spread would decide everything
-    groups.back().sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::no_spread, .printed = summary};
-    observed.doubts.push_back(
-        {.kind = WarningKind::repeats_itself, .who = {name}, .count = size, .of = size, .what = "value"});
+    groups.back().sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::zero_spread, .printed = summary};
+    samples.warnings.push_back(
+        {.kind = WarningKind::deterministic, .solvers = {name}, .count = size, .total = size, .detail = "value"});
   }
   const std::vector<Better> better = better_of(sheet, request, titles);
   for (std::size_t i = 0; i < titles.size(); ++i) quantities.observed[i].better = better[i];
@@ -488,9 +487,9 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
   return request.are_summaries ? summaries_in(sheet, request) : values_in(sheet, request);
 }
 
-AnalysisPlan with_margin(AnalysisPlan plan, const std::string& margin, MetricSamples& observed) {
+AnalysisPlan with_margin(AnalysisPlan plan, const std::string& margin, MetricSamples& samples) {
   double least = 0, largest = 0;  // of all values
-  for (const Group& group : observed.groups) {
+  for (const Group& group : samples.groups) {
     const auto* const summary = std::get_if<SummaryStatistics>(&group.sample);
     for (const double value : summary ? std::span(&summary->mean, 1) : values_of(group)) {
       if (!std::isfinite(value)) continue;
@@ -498,7 +497,7 @@ AnalysisPlan with_margin(AnalysisPlan plan, const std::string& margin, MetricSam
       largest = std::max(largest, std::abs(value));
     }
   }
-  const bool has_no_share = observed.scale == EffectScale::difference && least < 0;
+  const bool has_no_share = samples.scale == EffectScale::difference && least < 0;
   if (margin.empty() && has_no_share) plan.margin = 0;
   if (margin.empty()) return plan;
   const bool is_relative = margin.ends_with('%');
@@ -508,12 +507,12 @@ AnalysisPlan with_margin(AnalysisPlan plan, const std::string& margin, MetricSam
       : is_relative && *number > 99                         ? "so all would be the same; expected at most 99%"
       : is_relative && has_no_share
           ? "a share of values that may be negative means nothing; give a margin in their unit"
-      : !is_relative && observed.scale == EffectScale::share ? "shares differ by points; expected 5%"
+      : !is_relative && samples.scale == EffectScale::share ? "shares differ by points; expected 5%"
       : !is_relative && *number > largest ? "no value is as large, so all would be the same; a share is 5%"
                                           : nullptr;
   if (wrong) throw std::invalid_argument(fmt::format("--margin {}: {}", in_quotes(margin), wrong));
   plan.margin = is_relative ? *number / 100 : 0;
-  observed.absolute_margin = is_relative ? 0 : *number;
+  samples.absolute_margin = is_relative ? 0 : *number;
   return plan;
 }
 

@@ -25,6 +25,6 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
 
 // The plan with a margin, "5%"; or "0.1" in the unit of the values, which becomes theirs. Empty: the plan's, but none
 // of values that may be negative, of which a share means nothing.
-judge::AnalysisPlan with_margin(judge::AnalysisPlan plan, const std::string& margin, judge::MetricSamples& observed);
+judge::AnalysisPlan with_margin(judge::AnalysisPlan plan, const std::string& margin, judge::MetricSamples& samples);
 
 }  // namespace ikbench::csv

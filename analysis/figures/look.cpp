@@ -96,12 +96,11 @@ Look look_of(std::vector<Series> solvers, FigureStyle style) {
 }
 
 Look look_of(const JudgedStudy& judged, FigureStyle style) {
-  const JudgedMetric& deciding = judged.metrics[judged.deciding];
+  const JudgedMetric& deciding = judged.metrics[judged.primary];
   std::vector<Series> solvers = judged.study.series;
   if (!style.solvers.empty()) return look_of(std::move(solvers), std::move(style));
   std::vector<std::string> order, own{judged.study.labels.front(), judged.study.definition.plan.control};
-  for (const std::size_t i : display_order(deciding, judged.metrics))
-    order.push_back(deciding.observations.groups[i].name);
+  for (const std::size_t i : display_order(deciding, judged.metrics)) order.push_back(deciding.samples.groups[i].name);
   std::vector<std::string> first = order;
   std::ranges::stable_sort(first, {}, [&](const std::string& solver) { return std::ranges::count(own, solver) == 0; });
   const auto is_among_first = [&](const Series& solver) {

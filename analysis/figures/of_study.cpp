@@ -43,32 +43,31 @@ std::string caption_of_boxes(std::string_view quantity, std::string_view observa
 // None where solvers solved different targets, and so their values do not compare.
 std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view column, const Look& look) {
   const JudgedMetric* const values = find_metric(judged, column);
-  if (values == nullptr || values->observations.is_of_solved) return std::nullopt;
+  if (values == nullptr || values->samples.is_conditional_on_success) return std::nullopt;
   const Metric& metric = metric_named(column);
   const About about =
       about_of(judged.study, metric, caption_of_boxes(metric.name, observation_of(judged.study, metric)));
-  return boxes(about,
-               box_rows(is_of_times(metric) ? make_samples_by_target(judged.study, metric) : values->observations,
-                        drawn_unit(judged.study, metric.unit), drawn_solvers(judged.study, look), look));
+  return boxes(about, box_rows(is_time_metric(metric) ? make_samples_by_target(judged.study, metric) : values->samples,
+                               drawn_unit(judged.study, metric.unit), drawn_solvers(judged.study, look), look));
 }
 
 // Solvers whose values of a metric, or of it per solved, are not compared; all, where those of none are. Whoever solved
 // nothing is, with that.
 std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_view column) {
   const auto metric = std::ranges::find_if(judged.metrics, [&](const JudgedMetric& each) {
-    return each.observations.measures == metric_named(column).measures && each.observations.scale != EffectScale::share;
+    return each.samples.quantity_kind == metric_named(column).quantity_kind && each.samples.scale != EffectScale::share;
   });
   if (metric == judged.metrics.end()) return judged.study.labels;
   const auto is_doubted = [&](const Group& group) {  // of several reasons a group has the first
-    return std::ranges::any_of(metric->observations.doubts, [&](const Doubt& doubt) {
-      return doubt.kind != WarningKind::dominated_by_few &&
-             (doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0);
+    return std::ranges::any_of(metric->samples.warnings, [&](const Warning& warning) {
+      return warning.kind != WarningKind::dominated_by_few &&
+             (warning.solvers.empty() || std::ranges::count(warning.solvers, group.name) > 0);
     });
   };
   std::vector<std::string> without;
-  for (const Group& group : metric->observations.groups) {
-    const auto* const its = untold(group);
-    const bool is_lost = its && its->why != ExcludedSample::NotTestedReason::none && its->values.empty();
+  for (const Group& group : metric->samples.groups) {
+    const auto* const its = excluded(group);
+    const bool is_lost = its && its->reason != ExcludedSample::NotTestedReason::nothing_solved && its->values.empty();
     if (is_lost || is_doubted(group)) without.push_back(group.name);
   }
   return without;
@@ -86,7 +85,7 @@ std::optional<Figure> shares_of(const StudyResults& study, About about, const st
   std::vector<Successes> all;
   for (const std::string& solver : solvers) {
     Successes& its = all.emplace_back(Successes{.label = look.names.at(solver), .style = look.lines.at(solver)});
-    for (const Solve& solve : study.of(solver)) {
+    for (const SolveSummary& solve : study.of(solver)) {
       ++its.attempts;
       if (const double value = cost(solve); !std::isnan(value)) its.costs.push_back(value);
     }
@@ -100,7 +99,7 @@ std::optional<Figure> solved_by(const JudgedStudy& judged, std::string_view colu
   const Metric& metric = metric_named(column);
   const double factor = drawn_unit(study, metric.unit).factor;
   return shares_of(study, about_of(study, metric, fmt::format("Share of targets solved within {}.", cost)), "solved",
-                   not_compared(judged, column), look, nowhere, [&](const Solve& solve) {
+                   not_compared(judged, column), look, nowhere, [&](const SolveSummary& solve) {
                      return study.definition.has_tolerance() && solve.status == results::Status::ok
                                 ? factor * std::max(metric.value(solve, study), metric.floor)
                                 : nowhere;
@@ -139,8 +138,8 @@ std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) 
       about_of(study, metric,
                fmt::format("Share of targets within a position error{}, up to 1000 times the tolerance (dashed).",
                            study.definition.has_direction() ? ", whatever the orientation" : ""));
-  return shares_of(study, about, "targets", {}, look, tolerance, [&, scale = factor](const Solve& solve) {
-    return gave_answer(solve) ? scale * std::max(solve.position_error_cm, metric.floor) : nowhere;
+  return shares_of(study, about, "targets", {}, look, tolerance, [&, scale = factor](const SolveSummary& solve) {
+    return has_answer(solve) ? scale * std::max(solve.position_error_cm, metric.floor) : nowhere;
   });
 }
 
@@ -148,7 +147,7 @@ std::optional<Figure> metric_boxes(const JudgedStudy& judged, const Look& look) 
   const std::string& column = judged.study.definition.plan.metric;
   const bool is_drawn = column == error || column == time || column == motion;
   const auto metric = std::ranges::find(metrics(), column, &Metric::column);  // none: by default, or of a check
-  const bool has_boxes = metric != metrics().end() && metric->kind != Kind::share;
+  const bool has_boxes = metric != metrics().end() && metric->kind != MetricKind::success_rate;
   return is_drawn || !has_boxes ? std::nullopt : boxes_of(judged, column, look);
 }
 
@@ -158,11 +157,11 @@ std::optional<Figure> error_by_iteration(const JudgedStudy& judged, const Look& 
                 by_iteration(judged.study, look, average));
 }
 
-const JudgedMetric& deciding(const JudgedStudy& judged) { return judged.metrics[judged.deciding]; }
+const JudgedMetric& deciding(const JudgedStudy& judged) { return judged.metrics[judged.primary]; }
 
 // Without solvers of another machine, whose targets and angles are not here.
 Look of_this_machine(const StudyResults& study, Look look) {
-  std::erase_if(look.style.solvers, [&](const std::string& solver) { return study.beside.has(solver); });
+  std::erase_if(look.style.solvers, [&](const std::string& solver) { return study.imported.has(solver); });
   return look;
 }
 
@@ -203,7 +202,7 @@ constexpr KindOfFigure all_kinds[]{
      [](auto& judged, auto& look) { return ranks_of(deciding(judged), drawn_solvers(judged.study, look), look); }},
     {"differences", "where pairs are tested, and not all equal: their intervals and verdicts",
      [](auto& judged, auto& look) {
-       return differences_of(deciding(judged), drawn_unit(judged.study, deciding(judged).observations.unit),
+       return differences_of(deciding(judged), drawn_unit(judged.study, deciding(judged).samples.unit),
                              drawn_solvers(judged.study, look), look);
      }},
     {"path", "targets and arm along a path", path},
@@ -215,13 +214,13 @@ constexpr KindOfFigure all_kinds[]{
 std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
                                   const std::function<void(Dot&)>& add_printed) {
   const JudgedMetric *const errors = find_metric(judged, error), *const motions = find_metric(judged, motion);
-  if (errors == nullptr || motions == nullptr || motions->observations.is_of_solved) return std::nullopt;
+  if (errors == nullptr || motions == nullptr || motions->samples.is_conditional_on_success) return std::nullopt;
   const std::string average = motions->plan.test == results::AnalysisPlan::Test::means ? "mean" : "median";
   const auto value = [](const JudgedMetric& metric, const std::string& solver) {
-    return average_of(metric, place_of(metric.observations, solver));
+    return average_of(metric, index_of(metric.samples, solver));
   };
   std::vector<Dot> dots;
-  const double factor = drawn_unit(judged.study, errors->observations.unit).factor;
+  const double factor = drawn_unit(judged.study, errors->samples.unit).factor;
   for (const std::string& solver : drawn_solvers(judged.study, look)) {
     Dot& dot = dots.emplace_back(Dot{.label = solver,
                                      .style = look.lines.at(solver),
@@ -238,53 +237,55 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
 
 std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit& unit,
                                      const std::vector<std::string>& shown, const Look& look) {
-  const MetricSamples& observed = metric.observations;
+  const MetricSamples& samples = metric.samples;
   const auto place = [&](const std::string& name) { return std::ranges::find(shown, name) - shown.begin(); };
   const auto places = [&](const Comparison& of_two) {
     return std::minmax({place(of_two.first), place(of_two.second)});
   };
-  std::vector<Comparison> findings = metric.findings;
-  std::erase_if(findings, [&](const Comparison& finding) {
-    return verdict_of(finding) == Verdict::not_tested || places(finding).second == std::ssize(shown);
+  std::vector<Comparison> comparisons = metric.comparisons;
+  std::erase_if(comparisons, [&](const Comparison& comparison) {
+    return verdict_of(comparison) == Verdict::not_tested || places(comparison).second == std::ssize(shown);
   });
   std::string only;
-  if (findings.size() > most_drawn_pairs && metric.plan.control.empty()) {
-    std::erase_if(findings, [&](const Comparison& finding) { return places(finding).first != 0; });
+  if (comparisons.size() > most_drawn_pairs && metric.plan.control.empty()) {
+    std::erase_if(comparisons, [&](const Comparison& comparison) { return places(comparison).first != 0; });
     only = fmt::format(" Only the pairs of {}.", shown.front());
   }
-  std::ranges::stable_sort(findings, {}, places);
-  for (Comparison& finding : findings)
-    finding = better_first(finding, metric.plan.control, place(finding.second) < place(finding.first));
+  std::ranges::stable_sort(comparisons, {}, places);
+  for (Comparison& comparison : comparisons)
+    comparison = better_first(comparison, metric.plan.control, place(comparison.second) < place(comparison.first));
   const auto is_shared = [&](std::string Comparison::*name) {
-    return findings.size() > 1 && std::ranges::count(findings, findings.front().*name, name) == std::ssize(findings);
+    return comparisons.size() > 1 &&
+           std::ranges::count(comparisons, comparisons.front().*name, name) == std::ssize(comparisons);
   };
   const bool is_first = is_shared(&Comparison::first), is_second = is_shared(&Comparison::second);
   std::vector<IntervalRow> rows;
   bool are_ratios = false;
-  for (const Comparison& finding : findings) {
-    are_ratios = finding.scale == EffectScale::ratio;
-    const double factor = are_ratios ? 1 : finding.scale == EffectScale::share ? 100 : unit.factor;
+  for (const Comparison& comparison : comparisons) {
+    are_ratios = comparison.scale == EffectScale::ratio;
+    const double factor = are_ratios ? 1 : comparison.scale == EffectScale::share ? 100 : unit.factor;
     IntervalRow& row = rows.emplace_back();
-    const std::string first = look.names.at(finding.first), second = look.names.at(finding.second);
+    const std::string first = look.names.at(comparison.first), second = look.names.at(comparison.second);
     const char joint = character_count(first + second) > 30 ? '\n' : ' ';
     row.label = is_first    ? second
                 : is_second ? first
                             : fmt::format("{} {}{}{}", first, are_ratios ? "/" : "-", joint, second);
-    const Verdict verdict = verdict_of(finding);
-    if (const std::optional<EffectEstimate>& amount = finding.amount) {
+    const Verdict verdict = verdict_of(comparison);
+    if (const std::optional<EffectEstimate>& amount = comparison.estimate) {
       row.estimate = factor * amount->value;
       if (amount->interval) row.low = factor * amount->interval->low, row.high = factor * amount->interval->high;
     }
     row.verdict = name_of(verdict);
-    if (is_difference(verdict)) row.style = look.lines.at(verdict == Verdict::better ? finding.first : finding.second);
+    if (is_difference(verdict))
+      row.style = look.lines.at(verdict == Verdict::better ? comparison.first : comparison.second);
   }
-  if (std::ranges::all_of(findings, are_equal)) return std::nullopt;
+  if (std::ranges::all_of(comparisons, all_values_equal)) return std::nullopt;
   if (is_first || is_second)
     rows.insert(rows.begin(),
-                {.label = fmt::format("{} {} {}", is_first ? look.names.at(findings[0].first) : "…",
-                                      are_ratios ? "/" : "-", is_second ? look.names.at(findings[0].second) : "…"),
+                {.label = fmt::format("{} {} {}", is_first ? look.names.at(comparisons[0].first) : "…",
+                                      are_ratios ? "/" : "-", is_second ? look.names.at(comparisons[0].second) : "…"),
                  .verdict = is_first ? "the first:" : ""});
-  const std::string quantity = observed.measures == QuantityKind::solved ? "share solved" : observed.quantity;
+  const std::string quantity = samples.quantity_kind == QuantityKind::solved ? "share solved" : samples.quantity;
   const std::string what = are_ratios ? "ratio" : "difference";
   return differences(
       {.name = "differences",
@@ -292,53 +293,53 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
            "Pairs: {} of {}, with intervals for all pairs at once; at the right the verdict on the first.{}", what,
            quantity, only),
        .quantity = fmt::format("{} of {}", what, quantity),
-       .unit = are_ratios                             ? ""
-               : observed.scale == EffectScale::share ? "points"
-                                                      : unit.name},
+       .unit = are_ratios                            ? ""
+               : samples.scale == EffectScale::share ? "points"
+                                                     : unit.name},
       rows, are_ratios);
 }
 
 // The same metric on the blocks that all groups have, which mean ranks are of, with the verdicts of all blocks.
 JudgedMetric on_common_blocks(JudgedMetric metric) {
-  MetricSamples& observed = metric.observations;
-  if (!observed.is_paired || observed.is_of_solved) return metric;
+  MetricSamples& samples = metric.samples;
+  if (!samples.is_paired || samples.is_conditional_on_success) return metric;
   std::vector<Group*> groups;
   std::set<std::vector<int>> blocks;
-  for (Group& group : observed.groups) {
-    const Measured* const its = measured(group);
+  for (Group& group : samples.groups) {
+    const Sample* const its = sample_of(group);
     if (its == nullptr || its->values.empty()) continue;
     groups.push_back(&group);
     blocks.insert(its->blocks);
   }
   if (blocks.size() < 2) return metric;
   keep_common_blocks(groups);
-  std::vector<Comparison> common = compare(observed, metric.plan);
-  for (Comparison& finding : common) {
-    const Comparison* const of_all = find_comparison(metric, finding.first, finding.second);
-    const auto* const all = of_all ? std::get_if<TestResult>(&of_all->what) : nullptr;
-    if (auto* const tested = std::get_if<TestResult>(&finding.what); tested && all) tested->verdict = all->verdict;
+  std::vector<Comparison> common = compare(samples, metric.plan);
+  for (Comparison& comparison : common) {
+    const Comparison* const of_all = find_comparison(metric, comparison.first, comparison.second);
+    const auto* const all = of_all ? std::get_if<TestResult>(&of_all->result) : nullptr;
+    if (auto* const tested = std::get_if<TestResult>(&comparison.result); tested && all) tested->verdict = all->verdict;
   }
-  metric.findings = std::move(common);
+  metric.comparisons = std::move(common);
   return metric;
 }
 
 std::optional<Figure> ranks_of(const JudgedMetric& judged, const std::vector<std::string>& shown, const Look& look) {
   const JudgedMetric metric = on_common_blocks(judged);
-  const MetricSamples& observed = metric.observations;
-  const bool are_shares = observed.scale == EffectScale::share;
+  const MetricSamples& samples = metric.samples;
+  const bool are_shares = samples.scale == EffectScale::share;
   if (metric.plan.test == results::AnalysisPlan::Test::means && !are_shares) return std::nullopt;
   struct Pair {
     const Comparison* finding;
     double behind;  // the share of comparisons in which the second is better, equal ones half
   };
   std::map<std::pair<std::string_view, std::string_view>, Pair> pairs;  // that have such a share, in either order
-  for (const Comparison& each : metric.findings) {
-    const auto* const fact = std::get_if<DeterministicResult>(&each.what);
-    const auto* const tested = std::get_if<TestResult>(&each.what);
-    if (!fact && !(tested && tested->effect)) continue;
-    const double larger = fact ? each.amount->value - null_value(each.scale) : 0;
-    const double of_fact = larger == 0 ? 0.5 : (larger > 0) == (observed.better == Better::larger) ? 1 : 0;
-    const double ahead = tested ? tested->effect->a12() : of_fact;
+  for (const Comparison& each : metric.comparisons) {
+    const auto* const fact = std::get_if<DeterministicResult>(&each.result);
+    const auto* const tested = std::get_if<TestResult>(&each.result);
+    if (!fact && !(tested && tested->dominance)) continue;
+    const double larger = fact ? each.estimate->value - null_value(each.scale) : 0;
+    const double of_fact = larger == 0 ? 0.5 : (larger > 0) == (samples.better == Better::larger) ? 1 : 0;
+    const double ahead = tested ? tested->dominance->a12() : of_fact;
     pairs[{each.first, each.second}] = {&each, 1 - ahead}, pairs[{each.second, each.first}] = {&each, ahead};
   }
   const auto is_known = [&](const std::string& name, const std::vector<std::string>& others) {
@@ -350,25 +351,25 @@ std::optional<Figure> ranks_of(const JudgedMetric& judged, const std::vector<std
     (std::ranges::any_of(shown, has_share) && is_known(name, solvers) ? solvers : without).push_back(name);
   }
   if (solvers.size() < 3) return std::nullopt;
-  bool have_all = observed.is_paired;  // the same blocks
+  bool have_all = samples.is_paired;  // the same blocks
   std::size_t n = 0;
   std::vector<RankRow> rows;
   for (const std::string& name : solvers) {
-    n = values_of(observed.groups[place_of(observed, name)]).size();
+    n = values_of(samples.groups[index_of(samples, name)]).size();
     RankRow& row = rows.emplace_back(RankRow{.label = look.names.at(name), .style = look.lines.at(name), .place = 1});
     for (const std::string& other : solvers) {
       if (other == name) continue;
-      const auto& [finding, behind] = pairs.at({name, other});
+      const auto& [comparison, behind] = pairs.at({name, other});
       row.place += behind;
-      if (is_difference(verdict_of(*finding))) row.apart.push_back(look.names.at(other));
-      const auto* const tested = std::get_if<TestResult>(&finding->what);
+      if (is_difference(verdict_of(*comparison))) row.apart.push_back(look.names.at(other));
+      const auto* const tested = std::get_if<TestResult>(&comparison->result);
       have_all &= tested && static_cast<std::size_t>(tested->n) == n;
     }
   }
   std::ranges::stable_sort(rows, {}, &RankRow::place);
-  About about{.name = "ranks", .quantity = "mean rank of " + observed.quantity};
+  About about{.name = "ranks", .quantity = "mean rank of " + samples.quantity};
   about.caption = fmt::format(
-      "Mean ranks of {} {}, 1 is best; bars join pairs that no adjusted p < {} tells apart.", observed.quantity,
+      "Mean ranks of {} {}, 1 is best; bars join pairs that no adjusted p < {} tells apart.", samples.quantity,
       have_all ? fmt::format("in {} blocks", n) : "expected of one value of each (1 plus the others' A12)",
       metric.plan.significance);
   const bool has_ruler = have_all && !are_shares && metric.plan.significance == 0.05;  // shares are nearly all tied
@@ -392,7 +393,7 @@ Figure path_of(const StudyResults& study, const Look& look, std::size_t arms, co
     const SolveRecord& solve = solves[i];
     rows.targets.push_back(corner_of(solve.target_position_m));
     rows.reached.push_back(corner_of(solve.reached_position_m));
-    if (const Solve& its = study.of(solver)[i]; its.is_late || its.exceeds_velocity)
+    if (const SolveSummary& its = study.of(solver)[i]; its.missed_deadline || its.exceeds_velocity)
       rows.late_or_too_fast.push_back(rows.targets.back());
     const Eigen::Map<const Eigen::VectorXd> q(solve.answer_rad.data(),
                                               static_cast<Eigen::Index>(solve.answer_rad.size()));
@@ -409,19 +410,19 @@ std::vector<Figure> of_file(const std::vector<JudgedMetric>& metrics, const Look
   const JudgedMetric& first = metrics.front();
   std::vector<std::string> shown = look.style.solvers;
   if (shown.empty())
-    for (const std::size_t i : display_order(first, metrics)) shown.push_back(first.observations.groups[i].name);
+    for (const std::size_t i : display_order(first, metrics)) shown.push_back(first.samples.groups[i].name);
   for (const JudgedMetric& metric : metrics) {
-    const MetricSamples& observed = metric.observations;
-    if (observed.scale == EffectScale::share && observed.trials == 1) continue;
+    const MetricSamples& samples = metric.samples;
+    if (samples.scale == EffectScale::share && samples.trials_per_observation == 1) continue;
     const std::string number = all.empty() ? "" : fmt::format("-{}", all.size() + 1);
     const About about{.name = "boxes" + number,
-                      .caption = caption_of_boxes(observed.quantity, "a value"),
-                      .quantity = observed.quantity,
-                      .unit = observed.unit,
-                      .is_share = observed.scale == EffectScale::share};
-    if (auto figure = boxes(about, box_rows(observed, {observed.unit}, shown, look))) all.push_back(std::move(*figure));
+                      .caption = caption_of_boxes(samples.quantity, "a value"),
+                      .quantity = samples.quantity,
+                      .unit = samples.unit,
+                      .is_share = samples.scale == EffectScale::share};
+    if (auto figure = boxes(about, box_rows(samples, {samples.unit}, shown, look))) all.push_back(std::move(*figure));
   }
-  for (auto figure : {ranks_of(first, shown, look), differences_of(first, {first.observations.unit}, shown, look)}) {
+  for (auto figure : {ranks_of(first, shown, look), differences_of(first, {first.samples.unit}, shown, look)}) {
     if (figure) all.push_back(std::move(*figure));
   }
   return all;

@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t most_iterations = 200;  // drawn
 
 CurveRow row_at(double x, const std::vector<double>& values, Average average) {
-  const judge::Descriptives all = judge::described(values);
+  const judge::Descriptives all = judge::describe_values(values);
   if (average == Average::mean) return {.x = x, .y = all.mean};
   if (values.size() == 1) return {.x = x, .y = all.median};
   return {.x = x, .y = all.median, .low = all.lower_quartile, .high = all.upper_quartile};
@@ -32,9 +32,9 @@ CurveRow row_at(double x, const std::vector<double>& values, Average average) {
 
 About about_of(const StudyResults& study, const Metric& metric, std::string caption) {
   const auto [unit, factor] = drawn_unit(study, metric.unit);
-  if (const std::string calls = timed_calls_text(study); is_of_times(metric) && !calls.empty())
+  if (const std::string calls = timed_calls_text(study); is_time_metric(metric) && !calls.empty())
     caption += fmt::format(" Times: {}.", calls);
-  return {"", std::move(caption), std::string(metric.name), unit, factor * metric.rounding};
+  return {"", std::move(caption), std::string(metric.name), unit, factor * metric.resolution};
 }
 
 std::vector<std::string> drawn_solvers(const StudyResults& study, const Look& look, bool as_lines) {
@@ -51,11 +51,11 @@ DrawnUnit drawn_unit(const StudyResults& study, std::string_view unit) {
   return {std::string(unit), 1};
 }
 
-std::vector<BoxRow> box_rows(const judge::MetricSamples& observed, const DrawnUnit& unit,
+std::vector<BoxRow> box_rows(const judge::MetricSamples& samples, const DrawnUnit& unit,
                              const std::vector<std::string>& shown, const Look& look) {
   std::vector<BoxRow> rows;
   for (const std::string& name : shown) {
-    const Group& group = observed.groups[place_of(observed, name)];
+    const Group& group = samples.groups[index_of(samples, name)];
     const judge::Descriptives all = describe(group);
     const std::span<const double> values = values_of(group);
     BoxRow& row = rows.emplace_back(
@@ -78,9 +78,9 @@ std::vector<Line> by_point(const StudyResults& study, std::string_view column, c
   const double factor = drawn_unit(study, metric.unit).factor;
   std::vector<Line> all;
   for (const std::string& solver : drawn_solvers(study, look, true)) {
-    if (std::ranges::none_of(study.of(solver), gave_answer)) continue;
+    if (std::ranges::none_of(study.of(solver), has_answer)) continue;
     std::map<int, std::vector<double>> values;
-    for (const Solve& solve : study.of(solver)) {
+    for (const SolveSummary& solve : study.of(solver)) {
       const double value = factor * metric.value(solve, study);
       if (std::isfinite(value)) values[solve.point].push_back(value);
     }
@@ -93,7 +93,7 @@ std::vector<Line> by_point(const StudyResults& study, std::string_view column, c
 std::vector<Line> by_iteration(const StudyResults& study, const Look& look, Average average) {
   const double factor = drawn_unit(study, "cm").factor;
   std::size_t longest = 0;
-  for (const SolveRecord& solve : study.drawn) longest = std::max(longest, solve.trace_cm.size());
+  for (const SolveRecord& solve : study.plotted) longest = std::max(longest, solve.trace_cm.size());
   const std::size_t n = std::min(longest, most_iterations);
   std::vector<Line> all;
   for (const std::string& solver : drawn_solvers(study, look, true)) {
@@ -101,7 +101,7 @@ std::vector<Line> by_iteration(const StudyResults& study, const Look& look, Aver
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t i = n == 1 ? 0 : k * (longest - 1) / (n - 1);
       std::vector<double> values;
-      for (const SolveRecord& solve : study.drawn) {
+      for (const SolveRecord& solve : study.plotted) {
         const std::vector<double>& trace = solve.trace_cm;
         if (solve.label != solver || trace.empty()) continue;
         const double value = factor * trace[std::min(i, trace.size() - 1)];

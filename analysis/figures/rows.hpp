@@ -26,7 +26,7 @@ struct DrawnUnit {
 };
 DrawnUnit drawn_unit(const judge::StudyResults& study, std::string_view unit);
 // Of the groups of these names, in their order.
-std::vector<BoxRow> box_rows(const judge::MetricSamples& observed, const DrawnUnit& unit,
+std::vector<BoxRow> box_rows(const judge::MetricSamples& samples, const DrawnUnit& unit,
                              const std::vector<std::string>& shown, const Look& look);
 // Medians of all runs with their quartiles, or means.
 enum class Average { median, mean };

@@ -14,70 +14,71 @@ namespace {
 
 // Where few values of a mean leave a finding open, of all whose means are such.
 void add_doubt(JudgedMetric& judged) {
-  Doubt doubt{.kind = WarningKind::dominated_by_few,
-              .what = (judged.observations.is_log_scale ? "" : "mean ") + judged.observations.quantity};
-  const auto is_left = [](const Comparison& finding) {
-    return is_open(finding, NotTested::NotTestedReason::few_decide);
+  Warning warning{.kind = WarningKind::dominated_by_few,
+                  .detail = (judged.samples.is_log_scale ? "" : "mean ") + judged.samples.quantity};
+  const auto is_left = [](const Comparison& comparison) {
+    return is_not_tested(comparison, NotTested::NotTestedReason::dominated);
   };
-  if (std::ranges::none_of(judged.findings, is_left)) return;
-  for (const Group& group : judged.observations.groups)
-    if (!untold(group) && is_dominated(group)) doubt.who.push_back(group.name);
-  judged.observations.doubts.push_back(std::move(doubt));
+  if (std::ranges::none_of(judged.comparisons, is_left)) return;
+  for (const Group& group : judged.samples.groups)
+    if (!excluded(group) && is_dominated(group)) warning.solvers.push_back(group.name);
+  judged.samples.warnings.push_back(std::move(warning));
 }
 
 // Of the first that is better by ranks, though its median, or else its mean, is worse by more than the margin (a best
 // one's median: at all). Where each has its own targets, these say nothing of two.
 void add_doubt_of_ranks(JudgedMetric& judged) {
-  const MetricSamples& observed = judged.observations;
-  if (observed.is_of_solved || observed.fewest > 0 || judged.plan.test == AnalysisPlan::Test::means) return;
-  const std::set<std::string> losers = beaten_solvers(judged.findings);
-  for (const Comparison& finding : judged.findings) {
-    if (!std::holds_alternative<TestResult>(finding.what) || !is_difference(verdict_of(finding))) continue;
-    const Comparison its = better_first(finding, "");
-    const Descriptives &one = judged.described[place_of(observed, its.first)],
-                       &two = judged.described[place_of(observed, its.second)];
+  const MetricSamples& samples = judged.samples;
+  if (samples.is_conditional_on_success || samples.min_blocks > 0 || judged.plan.test == AnalysisPlan::Test::means)
+    return;
+  const std::set<std::string> losers = beaten_solvers(judged.comparisons);
+  for (const Comparison& comparison : judged.comparisons) {
+    if (!std::holds_alternative<TestResult>(comparison.result) || !is_difference(verdict_of(comparison))) continue;
+    const Comparison its = better_first(comparison, "");
+    const Descriptives &one = judged.descriptives[index_of(samples, its.first)],
+                       &two = judged.descriptives[index_of(samples, its.second)];
     const bool is_best = !losers.contains(its.first);  // and its median stands beside it
     const bool is_median_worse = is_best && one.median != two.median
-                                     ? (one.median > two.median) == (observed.better == Better::smaller)
-                                     : is_worse_beyond_margin(observed, judged.plan, one.median, two.median);
-    if (!is_median_worse && !is_worse_beyond_margin(observed, judged.plan, one.mean, two.mean)) continue;
-    judged.observations.doubts.push_back({.kind = WarningKind::ranks_disagree,
-                                          .who = {its.first, its.second},
-                                          .what = (is_median_worse ? "median " : "mean ") + observed.quantity});
+                                     ? (one.median > two.median) == (samples.better == Better::smaller)
+                                     : is_worse_beyond_margin(samples, judged.plan, one.median, two.median);
+    if (!is_median_worse && !is_worse_beyond_margin(samples, judged.plan, one.mean, two.mean)) continue;
+    judged.samples.warnings.push_back({.kind = WarningKind::ranks_disagree,
+                                       .solvers = {its.first, its.second},
+                                       .detail = (is_median_worse ? "median " : "mean ") + samples.quantity});
     return;
   }
 }
 
 // The findings of a study beside which labels of another machine stand. Pairs of its own labels have the p that they
 // have without those. Each of those is compared with the control alone, and these pairs are a second family.
-std::vector<Comparison> findings_of(const JudgedMetric& metric, const Beside& beside, std::size_t metrics) {
-  if (beside.labels.empty()) return compare(metric.observations, metric.plan, metrics);
-  MetricSamples own = metric.observations;
+std::vector<Comparison> findings_of(const JudgedMetric& metric, const ImportedResults& beside, std::size_t metrics) {
+  if (beside.labels.empty()) return compare(metric.samples, metric.plan, metrics);
+  MetricSamples own = metric.samples;
   std::erase_if(own.groups, [&](const Group& group) { return beside.has(group.name); });
   AnalysisPlan own_plan = metric.plan;
   if (beside.is_control_chosen) own_plan.control.clear();
-  std::vector<Comparison> findings = compare(own, own_plan, metrics);
-  std::erase_if(findings, [&](const Comparison& finding) {
-    return finding.first != metric.plan.control && finding.second != metric.plan.control;
+  std::vector<Comparison> comparisons = compare(own, own_plan, metrics);
+  std::erase_if(comparisons, [&](const Comparison& comparison) {
+    return comparison.first != metric.plan.control && comparison.second != metric.plan.control;
   });
-  MetricSamples others = metric.observations;
+  MetricSamples others = metric.samples;
   std::erase_if(others.groups,
                 [&](const Group& group) { return !beside.has(group.name) && group.name != metric.plan.control; });
-  for (Comparison& finding : compare(others, metric.plan, metrics)) findings.push_back(std::move(finding));
-  return findings;
+  for (Comparison& comparison : compare(others, metric.plan, metrics)) comparisons.push_back(std::move(comparison));
+  return comparisons;
 }
 
 // Where time alone ends solves at the deadline, what is solved is solved in time: two columns would be one.
 bool is_solved_by_another_name(const Metric& metric, const results::StudyDefinition& study) {
-  const bool is_solved_in_time = metric.measures == QuantityKind::time && metric.kind == Kind::share;
+  const bool is_solved_in_time = metric.quantity_kind == QuantityKind::time && metric.kind == MetricKind::success_rate;
   return is_solved_in_time && study.has_tolerance() && study.stop.only_time_limits() &&
          study.stop.seconds <= study.deadline();
 }
 
 // The word by which `then` of a plan names a metric; empty if none does.
-std::string_view then_word_of(const MetricSamples& observed) {
-  if (observed.scale == EffectScale::share) return "";
-  switch (observed.measures) {
+std::string_view then_word_of(const MetricSamples& samples) {
+  if (samples.scale == EffectScale::share) return "";
+  switch (samples.quantity_kind) {
     case QuantityKind::time:
       return "time";
     case QuantityKind::evaluations:
@@ -90,28 +91,28 @@ std::string_view then_word_of(const MetricSamples& observed) {
 }
 
 // Some observation has a value, and if this is no share one is not 0.
-bool has_meaning(const MetricSamples& observed) {
-  return std::ranges::any_of(observed.groups, [&](const Group& group) {
+bool has_meaning(const MetricSamples& samples) {
+  return std::ranges::any_of(samples.groups, [&](const Group& group) {
     return std::ranges::any_of(values_of(group),
-                               [&](double value) { return value != 0 || observed.scale == EffectScale::share; });
+                               [&](double value) { return value != 0 || samples.scale == EffectScale::share; });
   });
 }
 
 }  // namespace
 
 JudgedMetric judge(MetricSamples observations, const AnalysisPlan& plan) {
-  std::vector<Comparison> findings = compare(observations, plan);
-  return judge(std::move(observations), plan, std::move(findings));
+  std::vector<Comparison> comparisons = compare(observations, plan);
+  return judge(std::move(observations), plan, std::move(comparisons));
 }
 
-JudgedMetric judge(MetricSamples observations, const AnalysisPlan& plan, std::vector<Comparison> findings) {
-  JudgedMetric judged{.observations = std::move(observations), .plan = plan, .findings = std::move(findings)};
-  const MetricSamples& observed = judged.observations;
-  for (const Group& group : observed.groups) {
+JudgedMetric judge(MetricSamples observations, const AnalysisPlan& plan, std::vector<Comparison> comparisons) {
+  JudgedMetric judged{.samples = std::move(observations), .plan = plan, .comparisons = std::move(comparisons)};
+  const MetricSamples& samples = judged.samples;
+  for (const Group& group : samples.groups) {
     const Descriptives its = describe(group);
-    judged.described.push_back(observed.is_log_scale ? Descriptives{.n = its.n, .mean = std::exp(its.mean)}
-                               : group.all > 0       ? Descriptives{.n = group.all, .mean = group.share}
-                                                     : its);
+    judged.descriptives.push_back(samples.is_log_scale ? Descriptives{.n = its.n, .mean = std::exp(its.mean)}
+                                  : group.pooled_n > 0 ? Descriptives{.n = group.pooled_n, .mean = group.pooled_share}
+                                                       : its);
   }
   add_doubt(judged);
   add_doubt_of_ranks(judged);
@@ -119,34 +120,34 @@ JudgedMetric judge(MetricSamples observations, const AnalysisPlan& plan, std::ve
 }
 
 double average_of(const JudgedMetric& judged, std::size_t group) {
-  const Descriptives& its = judged.described[group];
-  const bool is_mean = judged.observations.scale == EffectScale::share ||
-                       judged.plan.test == AnalysisPlan::Test::means || std::isnan(its.median);
-  if (missing_in(judged.observations.groups[group]) > 0) return unknown;
+  const Descriptives& its = judged.descriptives[group];
+  const bool is_mean = judged.samples.scale == EffectScale::share || judged.plan.test == AnalysisPlan::Test::means ||
+                       std::isnan(its.median);
+  if (missing_in(judged.samples.groups[group]) > 0) return unknown;
   return is_mean ? its.mean : its.median;
 }
 
 std::vector<std::size_t> display_order(const JudgedMetric& judged, const std::vector<JudgedMetric>& all) {
   const auto evaluations = std::ranges::find(all, QuantityKind::evaluations,
-                                             [](const JudgedMetric& metric) { return metric.observations.measures; });
+                                             [](const JudgedMetric& metric) { return metric.samples.quantity_kind; });
   const auto cost = [&](const std::string& name) {
     if (evaluations == all.end()) return 0.0;
-    const std::size_t group = place_of(evaluations->observations, name);
-    const double value = group == evaluations->described.size() ? unknown : average_of(*evaluations, group);
+    const std::size_t group = index_of(evaluations->samples, name);
+    const double value = group == evaluations->descriptives.size() ? unknown : average_of(*evaluations, group);
     return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
   };
-  const std::set<std::string> losers = beaten_solvers(judged.findings);
-  const bool are_clear = std::ranges::all_of(judged.findings, [&](const Comparison& finding) {
-    const bool is_beaten = losers.contains(finding.first), is_other = losers.contains(finding.second);
-    return (is_beaten && is_other) ||
-           (is_beaten != is_other ? is_difference(verdict_of(finding)) : verdict_of(finding) != Verdict::not_tested);
+  const std::set<std::string> losers = beaten_solvers(judged.comparisons);
+  const bool are_clear = std::ranges::all_of(judged.comparisons, [&](const Comparison& comparison) {
+    const bool is_beaten = losers.contains(comparison.first), is_other = losers.contains(comparison.second);
+    return (is_beaten && is_other) || (is_beaten != is_other ? is_difference(verdict_of(comparison))
+                                                             : verdict_of(comparison) != Verdict::not_tested);
   });
-  std::vector<std::size_t> order(judged.described.size());
+  std::vector<std::size_t> order(judged.descriptives.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) {
     const double value = average_of(judged, i);
-    const Group& group = judged.observations.groups[i];
-    const double place = judged.observations.better == Better::larger ? -value : value;
+    const Group& group = judged.samples.groups[i];
+    const double place = judged.samples.better == Better::larger ? -value : value;
     const int rank = missing_in(group) > 0 ? 2 : are_clear && !losers.contains(group.name) ? 0 : 1;
     return std::isnan(value) ? std::tuple(3, 0.0, 0.0) : std::tuple(rank, place, cost(group.name));
   });
@@ -155,7 +156,7 @@ std::vector<std::size_t> display_order(const JudgedMetric& judged, const std::ve
 
 JudgedStudy make_all_samples(StudyResults study) {
   const results::StudyDefinition& definition = study.definition;
-  const auto solved = std::ranges::count(study.solves, results::Status::ok, &Solve::status);
+  const auto solved = std::ranges::count(study.solves, results::Status::ok, &SolveSummary::status);
   const bool are_any_solved = definition.has_tolerance() && solved > 0;
   const std::vector<Metric> all = metrics_of(definition);
   const Metric& deciding = metric_named(!definition.plan.metric.empty() ? definition.plan.metric
@@ -166,18 +167,19 @@ JudgedStudy make_all_samples(StudyResults study) {
   JudgedStudy judged;
   for (const Metric& metric : all) {
     const bool is_deciding = &metric == &deciding;
-    const bool is_told_by_solved = metric.kind == Kind::error && are_any_solved;
-    const bool is_told = metric.told == WhenReported::always ||
-                         metric.told == (do_some_fail ? WhenReported::if_some_fail : WhenReported::if_all_solve);
+    const bool is_told_by_solved = metric.kind == MetricKind::error && are_any_solved;
+    const bool is_told =
+        metric.when_reported == WhenReported::always ||
+        metric.when_reported == (do_some_fail ? WhenReported::if_some_fail : WhenReported::if_all_solve);
     if (!is_deciding && (!is_told || is_told_by_solved)) continue;
     if (!is_deciding && is_solved_by_another_name(metric, definition)) continue;
-    MetricSamples observed = observe(study, metric);
-    if (!is_deciding && !has_meaning(observed)) continue;
-    if (is_deciding) judged.deciding = judged.metrics.size();
-    judged.metrics.push_back({.observations = std::move(observed), .plan = definition.plan});
+    MetricSamples samples = make_samples(study, metric);
+    if (!is_deciding && !has_meaning(samples)) continue;
+    if (is_deciding) judged.primary = judged.metrics.size();
+    judged.metrics.push_back({.samples = std::move(samples), .plan = definition.plan});
     if (metric.value_of == nullptr) judged.metrics.back().plan.margin = 0;  // a share of what may be below 0
   }
-  judged.doubts = doubts_of(study);
+  judged.warnings = study_warnings(study);
   judged.study = std::move(study);
   return judged;
 }
@@ -186,8 +188,8 @@ JudgedStudy judge(StudyResults study) {
   JudgedStudy judged = make_all_samples(std::move(study));
   const std::size_t metrics = names_in_plan(judged.study.definition).size();
   for (JudgedMetric& metric : judged.metrics) {
-    std::vector<Comparison> findings = findings_of(metric, judged.study.beside, metrics);
-    metric = judge(std::move(metric.observations), metric.plan, std::move(findings));
+    std::vector<Comparison> comparisons = findings_of(metric, judged.study.imported, metrics);
+    metric = judge(std::move(metric.samples), metric.plan, std::move(comparisons));
   }
   return judged;
 }
@@ -200,16 +202,16 @@ std::vector<std::string> names_in_plan(const results::StudyDefinition& study) {
   std::string_view its_word;
   if (!plan.metric.empty()) its_word = then_word_of(empty_samples(metric_named(plan.metric, metrics_of(study))));
   for (const std::string& word : results::default_tie_breakers)
-    if (word != its_word && std::ranges::count(plan.then, word) > 0) names.push_back(word);
+    if (word != its_word && std::ranges::count(plan.tie_breakers, word) > 0) names.push_back(word);
   return names;
 }
 
 std::string name_in_plan(const JudgedStudy& study, const JudgedMetric& metric) {
   const std::vector<std::string> names = names_in_plan(study.study.definition);
-  const JudgedMetric& deciding = study.metrics[study.deciding];
+  const JudgedMetric& deciding = study.metrics[study.primary];
   if (&metric == &deciding) return names.front();
-  const std::string_view word = then_word_of(metric.observations);
-  const auto has_word = [&](const JudgedMetric& each) { return then_word_of(each.observations) == word; };
+  const std::string_view word = then_word_of(metric.samples);
+  const auto has_word = [&](const JudgedMetric& each) { return then_word_of(each.samples) == word; };
   // A word names one metric: else more of them would decide than share the significance.
   const bool is_first = &metric == &*std::ranges::find_if(study.metrics, has_word);
   const bool is_named = !word.empty() && is_first && !has_word(deciding) && std::ranges::count(names, word) > 0;
@@ -220,15 +222,16 @@ const JudgedMetric* find_metric(const JudgedStudy& judged, std::string_view colu
   const std::vector<Metric> all = metrics_of(judged.study.definition);
   const std::string_view slug = metric_named(column, all).slug;
   const auto found =
-      std::ranges::find_if(judged.metrics, [&](const JudgedMetric& each) { return each.observations.metric == slug; });
+      std::ranges::find_if(judged.metrics, [&](const JudgedMetric& each) { return each.samples.metric == slug; });
   return found == judged.metrics.end() ? nullptr : &*found;
 }
 
 const Comparison* find_comparison(const JudgedMetric& judged, std::string_view one, std::string_view other) {
-  const auto found = std::ranges::find_if(judged.findings, [&](const Comparison& finding) {
-    return (finding.first == one && finding.second == other) || (finding.first == other && finding.second == one);
+  const auto found = std::ranges::find_if(judged.comparisons, [&](const Comparison& comparison) {
+    return (comparison.first == one && comparison.second == other) ||
+           (comparison.first == other && comparison.second == one);
   });
-  return found == judged.findings.end() ? nullptr : &*found;
+  return found == judged.comparisons.end() ? nullptr : &*found;
 }
 
 }  // namespace ikbench::judge

@@ -12,16 +12,16 @@
 namespace ikbench::judge {
 
 struct JudgedMetric {
-  MetricSamples observations;
-  AnalysisPlan plan;                    // by which it was judged
-  std::vector<Descriptives> described;  // one for each group
-  std::vector<Comparison> findings;     // one for each pair of the plan
+  MetricSamples samples;
+  AnalysisPlan plan;                       // by which it was judged
+  std::vector<Descriptives> descriptives;  // one for each group
+  std::vector<Comparison> comparisons;     // one for each pair of the plan
 };
 
 // Describes the groups and adds the doubts of the findings, which are those of `compare`.
-JudgedMetric judge(MetricSamples observed, const AnalysisPlan& plan, std::vector<Comparison> findings);
+JudgedMetric judge(MetricSamples samples, const AnalysisPlan& plan, std::vector<Comparison> comparisons);
 // The same, with findings of these observations alone.
-JudgedMetric judge(MetricSamples observed, const AnalysisPlan& plan);
+JudgedMetric judge(MetricSamples samples, const AnalysisPlan& plan);
 
 // What tables, sentences and figures tell of a group: the mean of shares and where the plan compares means, else the
 // median; NaN where values are lost.
@@ -35,8 +35,8 @@ struct JudgedStudy {
   // Those of reports, in the order of metrics.inc, if the study has them; and the deciding one. Where any target is
   // solved no other error: solved says which are small enough.
   std::vector<JudgedMetric> metrics;
-  std::size_t deciding = 0;   // metric of the headline: the plan's, else solved where any target is solved, else error
-  std::vector<Doubt> doubts;  // of the whole study
+  std::size_t primary = 0;  // metric of the headline: the plan's, else solved where any target is solved, else error
+  std::vector<Warning> warnings;  // of the whole study
 };
 
 // Without descriptions and findings.

@@ -56,7 +56,7 @@ std::optional<std::map<int, int>> turns_of(const std::vector<Session>& ours, con
 // Of both stores, as solvers of one study. Takes their solves. Sessions of one turn are one; without turns all differ.
 StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std::map<int, int>& turns) {
   both.labels = {now_label, before_label};
-  both.faults = {};
+  both.rejections = {};
   const auto before = both.sessions.empty() ? 0 : static_cast<int>(both.sessions.back().id);
   for (Session& session : std::exchange(baseline.sessions, {})) {
     if (!turns.empty()) continue;
@@ -64,7 +64,7 @@ StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std:
     both.sessions.push_back(std::move(session));
   }
   both.solves.reserve(2 * both.solves.size());
-  for (Solve solve : std::exchange(baseline.solves, {})) {
+  for (SolveSummary solve : std::exchange(baseline.solves, {})) {
     solve.label = 1;
     solve.session = turns.empty() ? solve.session + before : turns.at(solve.session);
     both.solves.push_back(solve);
@@ -76,34 +76,34 @@ StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std:
 
 // Of solves, whatever they are of. Where the machine decides who is too late, that is not counted.
 MetricSamples observed_answers(const StudyResults& study, bool machine_decides) {
-  MetricSamples observed{.metric = "answers",
-                         .quantity = "answered",
-                         .better = Better::larger,
-                         .scale = EffectScale::share,
-                         .is_paired = true};
-  observed.measures = QuantityKind::answered;
+  MetricSamples samples{.metric = "answers",
+                        .quantity = "answered",
+                        .better = Better::larger,
+                        .scale = EffectScale::share,
+                        .is_paired = true};
+  samples.quantity_kind = QuantityKind::answered;
   for (const std::string& solver : study.labels) {
-    Measured answers;
-    for (const Solve& solve : study.of(solver))
-      answers.values.push_back(gave_answer(solve) || (machine_decides && solve.status == results::Status::over_budget));
-    observed.groups.push_back({.name = solver, .sample = std::move(answers)});
+    Sample answers;
+    for (const SolveSummary& solve : study.of(solver))
+      answers.values.push_back(has_answer(solve) || (machine_decides && solve.status == results::Status::over_budget));
+    samples.groups.push_back({.name = solver, .sample = std::move(answers)});
   }
-  return observed;
+  return samples;
 }
 
 // Solved in time is one, too.
-bool is_time(const JudgedMetric& judged) { return judged.observations.measures == QuantityKind::time; }
+bool is_time(const JudgedMetric& judged) { return judged.samples.quantity_kind == QuantityKind::time; }
 
-bool is_of_answers(const JudgedMetric& judged) { return judged.observations.measures == QuantityKind::answered; }
+bool is_of_answers(const JudgedMetric& judged) { return judged.samples.quantity_kind == QuantityKind::answered; }
 
 // Whether a metric decides: the plan names it, nobody left it out, and if it is of times, they have a margin.
 bool decides(const RegressionCheck& gate, const JudgedMetric& metric) {
   const std::string name = name_in_plan(gate.judged, metric);
-  if (name.empty() || (is_time(metric) && !gate.do_times_decide())) return false;
+  if (name.empty() || (is_time(metric) && !gate.counts_times())) return false;
   return gate.options.metrics.empty() || std::ranges::count(gate.options.metrics, name) > 0;
 }
 
-void refuse_what_the_plan_lacks(const GateOptions& options, const StudyDefinition& definition) {
+void refuse_what_the_plan_lacks(const RegressionOptions& options, const StudyDefinition& definition) {
   const std::vector<std::string> named = names_in_plan(definition);
   const std::vector<std::string>& asked = options.metrics.empty() ? named : options.metrics;
   for (const std::string& name : asked)
@@ -114,7 +114,7 @@ void refuse_what_the_plan_lacks(const GateOptions& options, const StudyDefinitio
   const std::vector<Metric> all = metrics_of(definition);
   const auto is_of_time = [&](const std::string& name) {
     const auto its = std::ranges::find(all, name, &Metric::column);
-    return name == "time" || (its != all.end() && is_of_times(*its));
+    return name == "time" || (its != all.end() && is_time_metric(*its));
   };
   const bool has_time = std::ranges::any_of(asked, is_of_time);
   if (options.time_margin && !has_time && options.metrics.empty())
@@ -127,7 +127,7 @@ void refuse_what_the_plan_lacks(const GateOptions& options, const StudyDefinitio
 
 // How many answers are missing where before none was, or where now none is left. Chance may do that, too.
 int newly_missing(const JudgedMetric& judged) {
-  const Descriptives &candidate = judged.described.front(), &baseline = judged.described.back();
+  const Descriptives &candidate = judged.descriptives.front(), &baseline = judged.descriptives.back();
   const bool is_new = is_of_answers(judged) && (baseline.mean == 1 || candidate.mean == 0);
   return is_new ? static_cast<int>(std::lround((baseline.mean - candidate.mean) * baseline.n)) : 0;
 }
@@ -140,44 +140,46 @@ StudyResults of_two(const StudyResults& study, const std::string& candidate, con
   two.labels = {candidate, baseline};
   for (std::size_t i = 0; i < two.labels.size(); ++i) {
     const std::string& label = two.labels[i];
-    for (Solve solve : study.of(label)) {
+    for (SolveSummary solve : study.of(label)) {
       solve.label = static_cast<int>(i);
       two.solves.push_back(std::move(solve));
     }
-    if (const auto its = study.faults.find(label); its != study.faults.end()) two.faults.insert(*its);
-    if (const auto its = study.in_batches.find(label); its != study.in_batches.end()) two.in_batches.insert(*its);
-    if (std::ranges::count(study.stale_solves.who, label) > 0) two.stale_solves = study.stale_solves;
+    if (const auto its = study.rejections.find(label); its != study.rejections.end()) two.rejections.insert(*its);
+    if (const auto its = study.batch_timings.find(label); its != study.batch_timings.end())
+      two.batch_timings.insert(*its);
+    if (std::ranges::count(study.stale_solves.solvers, label) > 0) two.stale_solves = study.stale_solves;
   }
   return two;
 }
 
 // Leaves the warnings that concern the two. The counts of a warning that names others, too, are those of the two alone.
-void keep_doubts(std::vector<Doubt>& doubts, const StudyResults& two) {
+void keep_doubts(std::vector<Warning>& warnings, const StudyResults& two) {
   const auto is_other = [&](const std::string& name) { return std::ranges::count(two.labels, name) == 0; };
-  const std::vector<Doubt> own = evaluation_warnings(two);
-  std::erase_if(doubts,
-                [&](const Doubt& doubt) { return !doubt.who.empty() && std::ranges::all_of(doubt.who, is_other); });
-  for (Doubt& doubt : doubts) {
-    std::erase_if(doubt.who, is_other);
-    const auto its = std::ranges::find(own, doubt.kind, &Doubt::kind);
+  const std::vector<Warning> own = evaluation_warnings(two);
+  std::erase_if(warnings, [&](const Warning& warning) {
+    return !warning.solvers.empty() && std::ranges::all_of(warning.solvers, is_other);
+  });
+  for (Warning& warning : warnings) {
+    std::erase_if(warning.solvers, is_other);
+    const auto its = std::ranges::find(own, warning.kind, &Warning::kind);
     if (its == own.end()) continue;
-    doubt.count = its->count;
-    doubt.of = its->of;
+    warning.count = its->count;
+    warning.total = its->total;
   }
 }
 
 // Leaves the groups and the finding of the two labels of the gate, the candidate first.
-void keep_two(const RegressionCheck& gate, MetricSamples& observed, std::vector<Comparison>& findings) {
+void keep_two(const RegressionCheck& gate, MetricSamples& samples, std::vector<Comparison>& comparisons) {
   const auto is_one = [&](const std::string& name) { return name == gate.candidate || name == gate.baseline; };
-  std::erase_if(observed.groups, [&](const Group& group) { return !is_one(group.name); });
-  if (observed.groups.front().name != gate.candidate) std::swap(observed.groups.front(), observed.groups.back());
-  std::erase_if(findings, [&](const Comparison& its) { return !is_one(its.first) || !is_one(its.second); });
-  findings.front() = better_first(std::move(findings.front()), gate.baseline);
+  std::erase_if(samples.groups, [&](const Group& group) { return !is_one(group.name); });
+  if (samples.groups.front().name != gate.candidate) std::swap(samples.groups.front(), samples.groups.back());
+  std::erase_if(comparisons, [&](const Comparison& its) { return !is_one(its.first) || !is_one(its.second); });
+  comparisons.front() = better_first(std::move(comparisons.front()), gate.baseline);
 }
 
 std::string family_of(const RegressionCheck& gate, const JudgedMetric& metric) {
   const std::string name = name_in_plan(gate.judged, metric);
-  return name.empty() ? "not in the plan: " + metric.observations.metric : name;
+  return name.empty() ? "not in the plan: " + metric.samples.metric : name;
 }
 
 // The findings of each metric of each gate. Pairs of the metrics that a name of the plan means are one family: of
@@ -191,16 +193,16 @@ std::vector<std::vector<std::vector<Comparison>>> findings_of(const std::vector<
     const std::vector<JudgedMetric>& its = gates[i].judged.metrics;
     all.emplace_back(its.size());
     for (std::size_t m = 0; m < its.size(); ++m) {
-      if (gates[i].are_same && !gates[i].label.empty() && !is_time(its[m]))
-        all[i][m] = compare(its[m].observations, its[m].plan, metrics);
+      if (gates[i].is_identical && !gates[i].label.empty() && !is_time(its[m]))
+        all[i][m] = compare(its[m].samples, its[m].plan, metrics);
       else
         families[family_of(gates[i], its[m])].emplace_back(i, m);
     }
   }
   for (const auto& [metric, places] : families) {
-    std::vector<Member> members;
+    std::vector<FamilyMember> members;
     for (const auto& [i, m] : places)
-      members.push_back({&gates[i].judged.metrics[m].observations, &gates[i].judged.metrics[m].plan});
+      members.push_back({&gates[i].judged.metrics[m].samples, &gates[i].judged.metrics[m].plan});
     std::vector<std::vector<Comparison>> found = compare(members, metrics);
     for (std::size_t k = 0; k < places.size(); ++k) all[places[k].first][places[k].second] = std::move(found[k]);
   }
@@ -209,23 +211,23 @@ std::vector<std::vector<std::vector<Comparison>>> findings_of(const std::vector<
 
 // The list that a quantity of a metric that decides belongs to; null if it belongs to none.
 std::vector<std::string>* list_of(RegressionCheck& gate, const JudgedMetric& judged) {
-  const Comparison& finding = judged.findings.front();
-  const auto* const tested = std::get_if<TestResult>(&finding.what);
-  const bool is_small = tested && tested->is_small;
-  const bool is_settled = gate.are_same && !is_time(judged);
-  switch (verdict_of(finding)) {
+  const Comparison& comparison = judged.comparisons.front();
+  const auto* const tested = std::get_if<TestResult>(&comparison.result);
+  const bool is_small = tested && tested->is_below_margin;
+  const bool is_settled = gate.is_identical && !is_time(judged);
+  switch (verdict_of(comparison)) {
     case Verdict::worse:
       return is_small ? &gate.worse_below_margin : &gate.worse;
     case Verdict::better:
       return is_small ? nullptr : &gate.better;
     case Verdict::not_tested:
       return is_settled ? nullptr : &gate.not_tested;
-    case Verdict::undecided: {
+    case Verdict::inconclusive: {
       // Where a budget makes all evaluations equal, that says nothing.
-      const bool is_no_news = are_equal(finding) && judged.observations.measures == QuantityKind::evaluations;
+      const bool is_no_news = all_values_equal(comparison) && judged.samples.quantity_kind == QuantityKind::evaluations;
       return is_settled || is_no_news ? nullptr : &gate.inconclusive;
     }
-    case Verdict::same:
+    case Verdict::equivalent:
       break;
   }
   return nullptr;
@@ -233,43 +235,43 @@ std::vector<std::string>* list_of(RegressionCheck& gate, const JudgedMetric& jud
 
 // Adds the quantity to the list of the gate that it belongs to.
 void add_to_lists(RegressionCheck& gate, const JudgedMetric& judged) {
-  const std::string& quantity = judged.observations.quantity;
+  const std::string& quantity = judged.samples.quantity;
   if (const int missing = newly_missing(judged); missing > 0) {
-    gate.newly_missing = missing;
+    gate.new_failures = missing;
     return;
   }
-  const Verdict verdict = verdict_of(judged.findings.front());
+  const Verdict verdict = verdict_of(judged.comparisons.front());
   if (!decides(gate, judged)) {
-    const auto* const tested = std::get_if<TestResult>(&judged.findings.front().what);
-    if (is_time(judged) || !is_difference(verdict) || (tested && tested->is_small)) return;
+    const auto* const tested = std::get_if<TestResult>(&judged.comparisons.front().result);
+    if (is_time(judged) || !is_difference(verdict) || (tested && tested->is_below_margin)) return;
     (verdict == Verdict::worse ? gate.also_worse : gate.also_better).push_back(quantity);
     return;
   }
   if (std::vector<std::string>* const list = list_of(gate, judged)) list->push_back(quantity);
   gate.are_times_missing |= is_time(judged) && verdict == Verdict::not_tested;
-  const bool is_share_of_nothing = judged.observations.scale == EffectScale::share &&
-                                   judged.described.front().mean == 0 && judged.described.back().mean == 0;
+  const bool is_share_of_nothing = judged.samples.scale == EffectScale::share &&
+                                   judged.descriptives.front().mean == 0 && judged.descriptives.back().mean == 0;
   gate.is_compared |= !is_share_of_nothing && verdict != Verdict::not_tested;
 }
 
 }  // namespace
 
-RegressionCheck gate(StudyResults study, const std::string& candidate, const std::string& baseline, GateOptions options,
-                     const std::string& label) {
+RegressionCheck gate(StudyResults study, const std::string& candidate, const std::string& baseline,
+                     RegressionOptions options, const std::string& label) {
   refuse_what_the_plan_lacks(options, study.definition);
   const Solves ours = study.of(candidate), theirs = study.of(baseline);
-  const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
+  const auto place = [](const SolveSummary& solve) { return std::pair(solve.run, solve.point); };
   if (theirs.empty() || !std::ranges::equal(ours, theirs, {}, place, place))
     throw LacksSolves(fmt::format(
         "not compared: {} has {} solves, {} {}; complete both with ikbench run, with as many runs",
         label.empty() ? candidate : label, ours.size(), label.empty() ? baseline : "before", theirs.size()));
   RegressionCheck gate{.label = label, .candidate = candidate, .baseline = baseline, .options = std::move(options)};
-  gate.are_same = are_identical(ours, theirs) && std::ranges::any_of(ours, gave_answer);
+  gate.is_identical = are_identical(ours, theirs) && std::ranges::any_of(ours, has_answer);
   for (std::size_t i = 0; i < ours.size(); ++i) {
     const bool is_solved = ours[i].status == Status::ok, was_solved = theirs[i].status == Status::ok;
-    gate.same += are_identical(ours.subspan(i, 1), theirs.subspan(i, 1));
+    gate.identical_solves += are_identical(ours.subspan(i, 1), theirs.subspan(i, 1));
     if (is_solved == was_solved || !study.definition.has_tolerance()) continue;
-    (is_solved ? gate.won : gate.lost)
+    (is_solved ? gate.newly_solved : gate.newly_unsolved)
         .push_back(study.definition.points == 1 ? fmt::format("run {}", ours[i].run)
                                                 : fmt::format("target {} of run {}", ours[i].point, ours[i].run));
   }
@@ -279,18 +281,18 @@ RegressionCheck gate(StudyResults study, const std::string& candidate, const std
   StudyResults two = of_two(judged.study, candidate, baseline);
   const bool machine_decides = !clock_warnings(two).empty();
   judged.metrics.push_back(
-      {.observations = observed_answers(judged.study, machine_decides), .plan = judged.study.definition.plan});
+      {.samples = observed_answers(judged.study, machine_decides), .plan = judged.study.definition.plan});
   for (JudgedMetric& metric : judged.metrics) {
-    if (is_time(metric) && gate.do_times_decide()) metric.plan.margin = *gate.options.time_margin;
-    keep_doubts(metric.observations.doubts, two);
+    if (is_time(metric) && gate.counts_times()) metric.plan.margin = *gate.options.time_margin;
+    keep_doubts(metric.samples.warnings, two);
   }
-  judged.doubts = doubts_of(two);
+  judged.warnings = study_warnings(two);
   two.solves = {};  // observed, and large
   judged.study = std::move(two);
   return gate;
 }
 
-RegressionCheck gate(StudyResults baseline, StudyResults candidate, GateOptions options) {
+RegressionCheck gate(StudyResults baseline, StudyResults candidate, RegressionOptions options) {
   refuse_other_task(baseline, candidate);
   const std::string label = candidate.labels.front();
   const bool are_of_this_clock = std::ranges::all_of(baseline.sessions, uses_current_clock) &&
@@ -311,50 +313,50 @@ RegressionCheck gate(StudyResults baseline, StudyResults candidate, GateOptions 
       study_of_both(baseline, std::move(candidate), options.time_margin ? *turns : std::map<int, int>());
   RegressionCheck both = gate(std::move(study), now_label, before_label, std::move(options), label);
   for (JudgedMetric& metric : both.judged.metrics) {  // of two sessions times are never comparable
-    if (!is_time(metric) || both.do_times_decide()) continue;
-    metric.observations.doubts.clear();
-    if (!other.empty())
-      metric.observations.doubts.push_back({.kind = WarningKind::times_not_comparable, .what = other});
+    if (!is_time(metric) || both.counts_times()) continue;
+    metric.samples.warnings.clear();
+    if (!other.empty()) metric.samples.warnings.push_back({.kind = WarningKind::times_not_comparable, .detail = other});
   }
   const auto budget_of = [](const numerics::StopRule& stop) {
     return fmt::format("{} iterations, {} evaluations, {:g} ms", stop.iterations, stop.evaluations, 1e3 * stop.seconds);
   };
   const std::string ours = budget_of(both.judged.study.definition.stop), theirs = budget_of(baseline.definition.stop);
   if (ours == theirs) return both;
-  std::erase_if(both.judged.doubts, [](const Doubt& doubt) { return doubt.kind == WarningKind::budgets_differ; });
-  both.judged.doubts.push_back({.kind = WarningKind::budgets_differ,
-                                .who = both.judged.study.labels,
-                                .what = fmt::format("budgets of a solve differ: {}; before {}", ours, theirs)});
+  std::erase_if(both.judged.warnings,
+                [](const Warning& warning) { return warning.kind == WarningKind::budgets_differ; });
+  both.judged.warnings.push_back({.kind = WarningKind::budgets_differ,
+                                  .solvers = both.judged.study.labels,
+                                  .detail = fmt::format("budgets of a solve differ: {}; before {}", ours, theirs)});
   return both;
 }
 
-void decide(std::vector<RegressionCheck>& gates) {
+void judge_all(std::vector<RegressionCheck>& gates) {
   std::vector<std::vector<std::vector<Comparison>>> all = findings_of(gates);
   for (std::size_t i = 0; i < gates.size(); ++i) {
     RegressionCheck& gate = gates[i];
-    gate.is_compared = gate.are_same;
-    gate.are_times_missing = gate.do_times_decide() && std::ranges::none_of(gate.judged.metrics, is_time);
+    gate.is_compared = gate.is_identical;
+    gate.are_times_missing = gate.counts_times() && std::ranges::none_of(gate.judged.metrics, is_time);
     for (std::size_t m = 0; m < gate.judged.metrics.size(); ++m) {
       JudgedMetric& metric = gate.judged.metrics[m];
-      std::vector<Comparison>& findings = all[i][m];
-      keep_two(gate, metric.observations, findings);
+      std::vector<Comparison>& comparisons = all[i][m];
+      keep_two(gate, metric.samples, comparisons);
       metric.plan.control = gate.baseline;  // is shown second
-      metric = judge(std::move(metric.observations), metric.plan, std::move(findings));
-      Comparison& finding = metric.findings.front();
+      metric = judge(std::move(metric.samples), metric.plan, std::move(comparisons));
+      Comparison& comparison = metric.comparisons.front();
       // Two labels of one store keep the finding of its report.
-      if (gate.are_same && !gate.label.empty() && !is_time(metric) &&
-          std::holds_alternative<TestResult>(finding.what)) {
-        finding.what = DeterministicResult();
-        finding.amount = EffectEstimate{null_value(finding.scale)};
+      if (gate.is_identical && !gate.label.empty() && !is_time(metric) &&
+          std::holds_alternative<TestResult>(comparison.result)) {
+        comparison.result = DeterministicResult();
+        comparison.estimate = EffectEstimate{null_value(comparison.scale)};
       }
     }
     for (const JudgedMetric& metric : gate.judged.metrics) add_to_lists(gate, metric);
-    gate.is_compared |= !gate.worse.empty() || !gate.better.empty() || gate.newly_missing > 0;
+    gate.is_compared |= !gate.worse.empty() || !gate.better.empty() || gate.new_failures > 0;
   }
 }
 
 int exit_code(const std::vector<RegressionCheck>& gates, bool is_strict) {
-  const auto is_worse = [](const RegressionCheck& gate) { return !gate.worse.empty() || gate.newly_missing > 0; };
+  const auto is_worse = [](const RegressionCheck& gate) { return !gate.worse.empty() || gate.new_failures > 0; };
   if (std::ranges::any_of(gates, is_worse)) return 3;
   if (std::ranges::any_of(gates,
                           [](const RegressionCheck& gate) { return !gate.is_compared || gate.are_times_missing; }))

@@ -25,9 +25,9 @@ bool is_counted(const JudgedClaim& claim) { return claim.in_readings.all() > 0; 
 show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) {
   show::Table table{.name = are_ours ? "questions" : "claims",
                     .caption = are_ours ? "What the paper does not say" : "What the paper says",
-                    .columns = show::columns_of({"claim", "verdict", "number", "in readings", "remark"}),
+                    .columns = show::named_columns({"claim", "verdict", "number", "in readings", "remark"}),
                     .is_of_study = false};
-  table.columns.back().role = show::ColumnRole::remark;
+  table.columns.back().role = show::ColumnRole::machine_only;
   const auto in_readings = [&](const InReadings& of) {
     if (of.all() > 0) return fmt::format("{} hold, {} fail, {} open", of.hold, of.fail, of.open);
     return std::string(std::ranges::any_of(claims, is_counted) ? "not counted" : "");
@@ -90,7 +90,7 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
   std::string text, last;  // verdict
   const auto add = [&](const std::string& words, const std::string& first = "") {
     const std::string indent(std::max<std::size_t>(2, first.size()), ' ');
-    text += show::paragraph(words, indent, first);
+    text += show::wrapped_paragraph(words, indent, first);
   };
   for (const std::string& sentence : sentences) add(sentence);
   text += fmt::format("\n{}\n{}\n", table.caption, show::to_text(table));
@@ -109,7 +109,7 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
     rows.push_back({is_new ? fmt::format("{:13}", verdict) : "", show::shortened(claim.sentence, 46),
                     claim.number + (of.all() == 0 ? "" : fmt::format(" ({}, {}, {})", of.hold, of.fail, of.open))});
   }
-  text += show::in_columns(rows, 2);
+  text += show::align_columns(rows, 2);
   if (!not_tested.empty())
     add(fmt::format("{}", fmt::join(not_tested, "; ")), fmt::format("{:15}", name_of(Holds::not_tested)));
   return text;

@@ -49,10 +49,10 @@ InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, c
   const auto verdict = [&](std::size_t one, std::size_t other) {
     const auto [place, is_new] = known.try_emplace({one, other});
     if (!is_new) return place->second;
-    MetricSamples observed = empty_samples(*claim.metrics.front());
-    observed.groups = {multiverse.means[one][metric], multiverse.means[other][metric]};
-    if (claim.of == Of::spread) observed = deviations(observed);
-    return place->second = verdict_of(compare(observed, of_pair).front());
+    MetricSamples samples = empty_samples(*claim.metrics.front());
+    samples.groups = {multiverse.means[one][metric], multiverse.means[other][metric]};
+    if (claim.of == Of::spread) samples = deviations(samples);
+    return place->second = verdict_of(compare(samples, of_pair).front());
   };
   InReadings counts;
   std::map<std::string, std::int64_t> failing;  // readings, by setting
@@ -82,15 +82,15 @@ InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, c
 
 Group group_of(std::vector<double> runs) {
   const auto lost = static_cast<int>(std::erase_if(runs, [](double value) { return !std::isfinite(value); }));
-  if (lost > 0) return {.sample = ExcludedSample{.lost = lost, .values = std::move(runs)}};
-  return {.sample = Measured{std::move(runs)}};
+  if (lost > 0) return {.sample = ExcludedSample{.missing = lost, .values = std::move(runs)}};
+  return {.sample = Sample{std::move(runs)}};
 }
 
 JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, const results::AnalysisPlan& plan) {
   JudgedMultiverse result{.in_readings = {},
                           .table = {.name = "multiverse",
                                     .caption = "The claims in every reading",
-                                    .columns = show::columns_of(
+                                    .columns = show::named_columns(
                                         {"claim", "holds", "fails", "not decided", "most failures with one answer"}),
                                     .is_of_study = false}};
   for (const Claim& claim : paper.claims) {
@@ -132,12 +132,12 @@ SeedCounts counts_by_seed(const Paper& paper, const SolvedMultiverse& multiverse
         const Group& group = multiverse.means[part][m];
         const std::vector<double> values(values_of(group).begin(), values_of(group).end());
         ranges.push_back(missing_in(group) > 0 ? std::nullopt : predicted_ranges(values, row.numbers.n));
-        ours.push_back(described(values));
+        ours.push_back(describe_values(values));
         together.insert(together.end(), values.begin(), values.end());
       }
       if (std::ranges::none_of(ranges, [](const auto& each) { return each.has_value(); })) return {};
       const std::optional<Ranges> of_all = predicted_ranges(together, row.numbers.n);
-      const Descriptives all = described(together);
+      const Descriptives all = describe_values(together);
       std::vector<int>& of_row = counts.rows[row.solver];
       of_row.resize(seeds);
       for (std::size_t s = 0; s < statistics.size(); ++s) {

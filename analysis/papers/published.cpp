@@ -81,7 +81,7 @@ std::optional<Ranges> predicted_ranges(const std::vector<double>& values, int ru
       known.insert(known.begin() + static_cast<std::ptrdiff_t>(gap), value);
       study.push_back(std::exp(value));
     }
-    const judge::Descriptives its = judge::described(study);
+    const judge::Descriptives its = judge::describe_values(study);
     for (std::size_t s = 0; s < statistics.size(); ++s) replicates[s].push_back(its.*statistics[s].of);
   }
   Ranges ranges;

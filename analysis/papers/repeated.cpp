@@ -37,27 +37,28 @@ std::string Repeated::reading() const {
 }
 
 PrintedRows printed_rows(const Paper& paper, const JudgedMetric& judged) {
-  const auto metric = std::ranges::find(metrics(), judged.observations.metric, &Metric::slug);
+  const auto metric = std::ranges::find(metrics(), judged.samples.metric, &Metric::slug);
   return printed_means(paper.name, paper.means, metric->column);
 }
 
 show::Cell beside(double ours, std::string_view printed) {
-  return printed.empty() ? show::Cell(ours) : show::Printed{ours, std::string(printed)};
+  return printed.empty() ? show::Cell(ours) : show::PublishedNumber{ours, std::string(printed)};
 }
 
 std::vector<show::Cell> beside(const JudgedMetric& judged, const std::string& solver, const PrintedRow* row) {
-  const std::size_t place = place_of(judged.observations, solver);
-  const Group group = place < judged.described.size() ? judged.observations.groups[place] : Group();
+  const std::size_t place = index_of(judged.samples, solver);
+  const Group group = place < judged.descriptives.size() ? judged.samples.groups[place] : Group();
   const Descriptives ours =
-      place == judged.described.size() || missing_in(group) > 0 ? Descriptives() : judged.described[place];
-  const bool is_time = judged.observations.measures == QuantityKind::time;
+      place == judged.descriptives.size() || missing_in(group) > 0 ? Descriptives() : judged.descriptives[place];
+  const bool is_time = judged.samples.quantity_kind == QuantityKind::time;
   const auto ranges = row && ours.n > 0 && !is_time
                           ? predicted_ranges({values_of(group).begin(), values_of(group).end()}, row->numbers.n)
                           : std::nullopt;
   std::vector<show::Cell> cells;
   for (std::size_t s = 0; s < statistics.size(); ++s) {
     const double number = ours.*statistics[s].of;
-    auto* const printed = std::get_if<show::Printed>(&cells.emplace_back(beside(number, row ? row->digits[s] : "")));
+    auto* const printed =
+        std::get_if<show::PublishedNumber>(&cells.emplace_back(beside(number, row ? row->digits[s] : "")));
     if (printed && ranges) printed->sign = repeats(number, (*ranges)[s], printed->printed) ? '~' : 'x';
   }
   return cells;
@@ -71,11 +72,11 @@ show::Table means_table(const Repeated& repeated, const SeedCounts& counts) {
   for (const std::string& solver : study.labels) table.rows.push_back({solver});
   for (const JudgedMetric& judged : repeated.study().metrics) {
     const PrintedRows printed = printed_rows(repeated.paper, judged);
-    if (printed.empty() || judged.observations.measures == QuantityKind::time) continue;  // of another machine
-    table.columns.push_back({judged.observations.quantity, judged.observations.unit});
+    if (printed.empty() || judged.samples.quantity_kind == QuantityKind::time) continue;  // of another machine
+    table.columns.push_back({judged.samples.quantity, judged.samples.unit});
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
       table.rows[i].push_back(beside(judged, study.labels[i], row_of(printed, study.labels[i])).front());
-      const auto* const mean = std::get_if<show::Printed>(&table.rows[i].back());
+      const auto* const mean = std::get_if<show::PublishedNumber>(&table.rows[i].back());
       has_signs = has_signs || (mean && !mean->sign.empty());
     }
   }
@@ -107,7 +108,7 @@ double rounded(double value) { return std::round(1e10 * value) / 1e10; }
 Rate rate_of(std::string row, double share, double n, std::string_view digits, double n_printed, double unit,
              const Repeated& repeated) {
   const double printed = base::number_from(digits).value();
-  const Interval difference = newcombe(share, n, printed / unit, n_printed, 1 - repeated.paper.rates.level);
+  const Interval difference = newcombe_interval(share, n, printed / unit, n_printed, 1 - repeated.paper.rates.level);
   return {
       .row = std::move(row),
       .digits = std::string(digits),
@@ -125,17 +126,17 @@ std::vector<RateColumn> columns_of_means(const Repeated& repeated) {
     const JudgedStudy* const judged = column.study.empty() ? &repeated.study() : repeated.part(column.study);
     if (judged == nullptr) continue;
     const base::CsvTable table = results::published::table(repeated.paper.name, column.table);
-    const MetricSamples observed = observe(judged->study, *column.metric);
+    const MetricSamples samples = make_samples(judged->study, *column.metric);
     RateColumn& of = columns.emplace_back(RateColumn{.name = column.name});
     for (std::size_t row = 0; row < table.rows(); ++row) {
-      const std::size_t place = place_of(observed, table.cell(row, 0));
-      if (place == observed.groups.size()) continue;
-      const Descriptives its = describe(observed.groups[place]);
+      const std::size_t place = index_of(samples, table.cell(row, 0));
+      if (place == samples.groups.size()) continue;
+      const Descriptives its = describe(samples.groups[place]);
       if (its.n == 0) continue;
       const std::string_view digits = table.cell(row, table.column(column.column));
       const double n = table.number(row, "n"), ours = its.mean;
-      if (column.metric->kind == Kind::share) {  // of so many the number that is not solved
-        of.rates.push_back(rate_of(observed.groups[place].name, 1 - ours, its.n, digits, n, n, repeated));
+      if (column.metric->kind == MetricKind::success_rate) {  // of so many the number that is not solved
+        of.rates.push_back(rate_of(samples.groups[place].name, 1 - ours, its.n, digits, n, n, repeated));
         continue;
       }
       constexpr double margin = 0.1;  // of means that a few hard targets decide
@@ -143,7 +144,7 @@ std::vector<RateColumn> columns_of_means(const Repeated& repeated) {
       const double printed = base::number_from(digits).value(),
                    sd = its.n < least ? std::numeric_limits<double>::infinity() : its.sd,
                    half = critical_z(1 - repeated.paper.rates.level) * sd * std::sqrt(1. / its.n + 1 / n);
-      of.rates.push_back({.row = observed.groups[place].name,
+      of.rates.push_back({.row = samples.groups[place].name,
                           .digits = std::string(digits),
                           .printed = printed,
                           .ours = ours,
@@ -179,7 +180,7 @@ std::vector<RateColumn> rates_of(const Repeated& repeated, std::string name) {
       for (const JudgedStudy& judged : repeated.studies) {
         const Solves solves = judged.study.of(solver);
         if (is_of_row(judged.study.definition.robot) && !solves.empty())
-          add(static_cast<double>(std::ranges::count(solves, results::Status::ok, &Solve::status)),
+          add(static_cast<double>(std::ranges::count(solves, results::Status::ok, &SolveSummary::status)),
               static_cast<double>(solves.size()));
       }
       for (std::size_t i = 0; programs != nullptr && i < programs->rows(); ++i) {
@@ -283,7 +284,7 @@ show::Table rates_table(const Repeated& repeated, const std::string& name) {
   std::set<std::string_view> signs;
   for (const auto& [column, rates] : rates_of(repeated, name)) {
     const std::size_t before = table.columns.size();
-    table.columns.push_back({.name = column, .unit = is_of_arms ? "%" : "", .ends = {0, 100}});
+    table.columns.push_back({.name = column, .unit = is_of_arms ? "%" : "", .boundaries = {0, 100}});
     for (const Rate& rate : rates) {
       const bool is_picked =
           std::ranges::any_of(plan.picked, [&](const auto& arm) { return plan.rows.at(arm) == rate.row; });
@@ -294,8 +295,8 @@ show::Table rates_table(const Repeated& repeated, const std::string& name) {
       auto row = std::ranges::find_if(table.rows, is_its);
       if (row == table.rows.end()) row = table.rows.insert(row, {show::Cell(row_name)});
       row->resize(before);  // a column may lack a row
-      row->emplace_back(show::Printed{rounded(rate.ours), rate.digits, std::string(rate.sign())});
-      if (!rate.printed_ms.empty()) row->emplace_back(show::Printed{rate.mean_ms, rate.printed_ms});
+      row->emplace_back(show::PublishedNumber{rounded(rate.ours), rate.digits, std::string(rate.sign())});
+      if (!rate.printed_ms.empty()) row->emplace_back(show::PublishedNumber{rate.mean_ms, rate.printed_ms});
       signs.insert(rate.sign());
     }
     if (!rates.empty() && !rates.front().printed_ms.empty()) table.columns.push_back({"mean time", "ms"});

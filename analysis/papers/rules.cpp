@@ -41,21 +41,21 @@ bool is_rival(const std::string& name, const Claim& claim) {
 
 // A claim's family is the pairs of its metric: the metrics that the plan names besides are no part of what is claimed.
 JudgedMetric judged_in(const JudgedStudy& study, const Metric& metric) {
-  return judge::judge(observe(study.study, metric), study.study.definition.plan);
+  return judge::judge(make_samples(study.study, metric), study.study.definition.plan);
 }
 
 // Leaves the claim's solvers and their rivals. None if one of the former or all of the latter are missing, or some are
 // without observations.
 std::optional<JudgedMetric> about(const Claim& claim, JudgedMetric judged) {
-  std::vector<Group>& groups = judged.observations.groups;
+  std::vector<Group>& groups = judged.samples.groups;
   for (std::size_t i = groups.size(); i-- > 0;) {
     if (has(claim.solvers, groups[i].name) || is_rival(groups[i].name, claim)) continue;
     groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(i));
-    judged.described.erase(judged.described.begin() + static_cast<std::ptrdiff_t>(i));
+    judged.descriptives.erase(judged.descriptives.begin() + static_cast<std::ptrdiff_t>(i));
   }
   const auto is_there = [&](const std::string& name) { return std::ranges::count(groups, name, &Group::name) > 0; };
   const bool has_own = std::ranges::all_of(claim.solvers, is_there) && groups.size() > claim.solvers.size();
-  const bool has_all = std::ranges::all_of(judged.described, [](const Descriptives& its) { return its.n > 0; });
+  const bool has_all = std::ranges::all_of(judged.descriptives, [](const Descriptives& its) { return its.n > 0; });
   return has_own && has_all ? std::optional(std::move(judged)) : std::nullopt;
 }
 
@@ -67,9 +67,9 @@ std::optional<JudgedMetric> judged_here(const Claim& claim, const Repeated& repe
   const JudgedStudy* const others = claim.from == From::solvers ? &repeated.study() : part;
   JudgedMetric judged = judged_in(*own, metric);
   if (own != others) {  // no report has a finding of these pairs
-    MetricSamples& all = judged.observations;
+    MetricSamples& all = judged.samples;
     std::erase_if(all.groups, [&](const Group& group) { return !has(claim.solvers, group.name); });
-    MetricSamples theirs = judged_in(*others, metric).observations;
+    MetricSamples theirs = judged_in(*others, metric).samples;
     for (Group& group : theirs.groups) {
       if (!is_rival(group.name, claim)) continue;
       group.name = name_of_rival(group.name, claim);
@@ -77,31 +77,31 @@ std::optional<JudgedMetric> judged_here(const Claim& claim, const Repeated& repe
     }
     all.is_paired = false;
     for (Group& group : all.groups)
-      if (auto* const measured = std::get_if<Measured>(&group.sample)) measured->blocks.clear();
+      if (auto* const measured = std::get_if<Sample>(&group.sample)) measured->blocks.clear();
     judged = judge::judge(std::move(all), judged.plan);
   }
   if (claim.of == Of::means) return about(claim, std::move(judged));
-  JudgedMetric spread = judge::judge(deviations(judged.observations), judged.plan);
-  for (std::size_t i = 0; i < spread.described.size(); ++i) spread.described[i].mean = judged.described[i].sd;
+  JudgedMetric spread = judge::judge(deviations(judged.samples), judged.plan);
+  for (std::size_t i = 0; i < spread.descriptives.size(); ++i) spread.descriptives[i].mean = judged.descriptives[i].sd;
   return about(claim, std::move(spread));
 }
 
 double mean_of(const JudgedMetric& judged, std::string_view solver) {
-  return judged.described[place_of(judged.observations, solver)].mean;
+  return judged.descriptives[index_of(judged.samples, solver)].mean;
 }
 
 // "at most 1e-06" where the study ends its solves there.
 std::string mean_words(const JudgedMetric& judged, const std::string& solver) {
-  const Group& group = judged.observations.groups[place_of(judged.observations, solver)];
+  const Group& group = judged.samples.groups[index_of(judged.samples, solver)];
   const double mean = mean_of(judged, solver);
   if (missing_in(group) > 0) return "not known";
-  return (group.at_most > 0 && mean <= group.at_most ? "at most " : "") + number_text(mean);
+  return (group.tolerance > 0 && mean <= group.tolerance ? "at most " : "") + number_text(mean);
 }
 
 // The others by their means, the smallest first.
 Names rivals_of(const JudgedMetric& judged, const Names& own) {
   Names rivals;
-  for (const Group& group : judged.observations.groups)
+  for (const Group& group : judged.samples.groups)
     if (!has(own, group.name)) rivals.push_back(group.name);
   std::ranges::stable_sort(rivals, {}, [&](const std::string& name) { return mean_of(judged, name); });
   return rivals;
@@ -112,7 +112,7 @@ Names same_there(const Claim& claim, const Repeated& repeated) {
   Names same;
   const JudgedStudy* const part = part_of(claim, repeated);
   if (claim.from != From::others || part == nullptr) return same;
-  const std::span<const Solve> ours = repeated.study().study.of(claim.solvers.front());
+  const std::span<const SolveSummary> ours = repeated.study().study.of(claim.solvers.front());
   for (const std::string& rival : part->study.labels)
     if (is_rival(rival, claim) && are_identical(ours, part->study.of(rival))) same.push_back(rival);
   return same;
@@ -130,9 +130,9 @@ JudgedClaims solves_most(const Claim& claim, const Repeated& repeated) {
       for (const Rate& each : column.rates)
         if (has(claim.against, column.name) && each.row == rate.row && (!best || best->ours < each.ours)) best = &each;
     if (best == nullptr) continue;
-    const Interval difference = newcombe(rate.ours / 100, rate.n, best->ours / 100, best->n,
-                                         repeated.study().study.definition.plan.significance);
-    tally.add(difference.low > 0 ? Verdict::better : difference.high < 0 ? Verdict::worse : Verdict::undecided);
+    const Interval difference = newcombe_interval(rate.ours / 100, rate.n, best->ours / 100, best->n,
+                                                  repeated.study().study.definition.plan.significance);
+    tally.add(difference.low > 0 ? Verdict::better : difference.high < 0 ? Verdict::worse : Verdict::inconclusive);
   }
   if (tally.all() == 0) return {};
   result.holds = holds_of(tally);
@@ -157,7 +157,7 @@ JudgedClaims better(const Claim& claim, const Repeated& repeated) {
     if (!rivals.empty()) here.push_back(holds_of(tally));
     if (!result.number.empty()) continue;
     for (const std::string& solver : own) means.push_back(mean_words(*ours, solver));
-    const std::string& unit = ours->observations.unit;
+    const std::string& unit = ours->samples.unit;
     result.number = (claim.of == Of::spread ? "sd " : "") + show::listed(means) + (unit.empty() ? "" : ' ' + unit);
     if (rivals.empty()) continue;
     result.rival = fmt::format("{} {}", rivals[0], mean_words(*ours, rivals[0]));
@@ -176,7 +176,7 @@ JudgedClaims ahead(const Claim& claim, const Repeated& repeated) {
   for (const Metric* metric : claim.metrics) {
     std::optional<JudgedMetric> ours = judged_here(claim, repeated, *metric);
     if (!ours) return {};
-    quantities.push_back(ours->observations.quantity);
+    quantities.push_back(ours->samples.quantity);
     here.push_back(std::move(*ours));
   }
   Tally tally;
@@ -186,7 +186,7 @@ JudgedClaims ahead(const Claim& claim, const Repeated& repeated) {
     tally.add(of_metrics.worse > 0                      ? Verdict::worse
               : of_metrics.better > 0                   ? Verdict::better
               : of_metrics.untested == of_metrics.all() ? Verdict::not_tested
-                                                        : Verdict::undecided);
+                                                        : Verdict::inconclusive);
   }
   JudgedClaim result{claim};
   result.holds = holds_of(tally);
@@ -200,7 +200,7 @@ JudgedClaims differ(const Claim& claim, const Repeated& repeated) {
   for (const Metric* metric : claim.metrics) {
     const std::optional<JudgedMetric> ours = judged_here(claim, repeated, *metric);
     if (!ours) return {};
-    const auto all = anova(ours->observations);
+    const auto all = anova(ours->samples);
     here.push_back(all.empty() ? Holds::not_tested : all[0].p < significance ? Holds::holds : Holds::undecided);
   }
   JudgedClaim result{claim};
@@ -221,7 +221,7 @@ JudgedClaims at_rounding(const Claim& claim, const Repeated& repeated) {
     farthest_cm = std::max(farthest_cm, 100 * std::hypot(at[0], at[1], at[2]));
   }
   std::vector<double> errors;
-  for (const Solve& solve : judged->study.of(solver)) errors.push_back(solve.position_error_cm);
+  for (const SolveSummary& solve : judged->study.of(solver)) errors.push_back(solve.position_error_cm);
   const double most = 10 * std::numeric_limits<double>::epsilon() * farthest_cm;
   const double largest = *std::ranges::max_element(errors), mean = summarise(errors).mean;
   result.holds = largest <= most ? Holds::holds : mean <= most ? Holds::in_part : Holds::fails;
@@ -288,19 +288,19 @@ Holds holds_of(const std::vector<Holds>& parts) {
   return all_are(parts.front()) ? parts.front() : Holds::undecided;
 }
 
-MetricSamples deviations(MetricSamples observed) {
-  for (Group& group : observed.groups) {
+MetricSamples deviations(MetricSamples samples) {
+  for (Group& group : samples.groups) {
     const double median = describe(group).median;
-    if (auto* const measured = std::get_if<Measured>(&group.sample))
+    if (auto* const measured = std::get_if<Sample>(&group.sample))
       for (double& value : measured->values) value = std::abs(value - median);
   }
-  return observed;
+  return samples;
 }
 
 Verdict verdict_between(const JudgedMetric& judged, std::string_view first, std::string_view second) {
-  const Comparison* const finding = find_comparison(judged, first, second);
-  if (finding == nullptr) return Verdict::not_tested;
-  return finding->first == first ? verdict_of(*finding) : turned(verdict_of(*finding));
+  const Comparison* const comparison = find_comparison(judged, first, second);
+  if (comparison == nullptr) return Verdict::not_tested;
+  return comparison->first == first ? verdict_of(*comparison) : reversed(verdict_of(*comparison));
 }
 
 }  // namespace ikbench::papers

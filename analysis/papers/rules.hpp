@@ -63,7 +63,7 @@ Holds holds_of(const std::vector<Holds>& parts);
 
 // Each value as its distance from its group's median (Brown and Forsythe, JASA 69 (1974) 364), whose means are compared
 // in place of spreads.
-judge::MetricSamples deviations(judge::MetricSamples observed);
+judge::MetricSamples deviations(judge::MetricSamples samples);
 
 // Of the first, in the findings of either order.
 judge::Verdict verdict_between(const judge::JudgedMetric& judged, std::string_view first, std::string_view second);

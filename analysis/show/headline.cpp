@@ -17,26 +17,26 @@
 namespace ikbench::show {
 
 using namespace judge;
-using What = Said::What;
+using What = Statement::StatementKind;
 using Names = std::vector<std::string>;
 
 namespace {
 
 bool has(const Names& names, const std::string& name) { return std::ranges::count(names, name) > 0; }
 
-bool is_solved(const JudgedMetric& judged) { return judged.observations.measures == QuantityKind::solved; }
+bool is_solved(const JudgedMetric& judged) { return judged.samples.quantity_kind == QuantityKind::solved; }
 
 // The findings among some, by pair.
 class Pairs {
  public:
   Pairs(const JudgedMetric& judged, const Names& names) {
     const std::set<std::string_view> among(names.begin(), names.end());
-    for (const Comparison& finding : judged.findings) {
-      if (!among.contains(finding.first) || !among.contains(finding.second)) continue;
-      all_[{finding.first, finding.second}] = all_[{finding.second, finding.first}] = &finding;
-      for (const std::string* const name : {&finding.first, &finding.second})
-        tested_[*name] += verdict_of(finding) != Verdict::not_tested;
-      if (is_difference(verdict_of(finding))) losers_.merge(beaten_solvers({finding}));
+    for (const Comparison& comparison : judged.comparisons) {
+      if (!among.contains(comparison.first) || !among.contains(comparison.second)) continue;
+      all_[{comparison.first, comparison.second}] = all_[{comparison.second, comparison.first}] = &comparison;
+      for (const std::string* const name : {&comparison.first, &comparison.second})
+        tested_[*name] += verdict_of(comparison) != Verdict::not_tested;
+      if (is_difference(verdict_of(comparison))) losers_.merge(beaten_solvers({comparison}));
     }
   }
 
@@ -50,7 +50,7 @@ class Pairs {
   Verdict of(std::string_view one, std::string_view other) const {
     const Comparison* const its = finding(one, other);
     if (its == nullptr) return Verdict::not_tested;
-    return its->first == one ? verdict_of(*its) : turned(verdict_of(*its));
+    return its->first == one ? verdict_of(*its) : reversed(verdict_of(*its));
   }
 
  private:
@@ -59,13 +59,13 @@ class Pairs {
   std::set<std::string> losers_ = {};
 };
 
-bool is_little(const Comparison* finding) {
-  const auto* const tested = finding ? std::get_if<TestResult>(&finding->what) : nullptr;
-  return tested && is_difference(tested->verdict) && tested->is_small;
+bool is_little(const Comparison* comparison) {
+  const auto* const tested = comparison ? std::get_if<TestResult>(&comparison->result) : nullptr;
+  return tested && is_difference(tested->verdict) && tested->is_below_margin;
 }
 
-bool are_alike(const Comparison* finding) {
-  return finding && (verdict_of(*finding) == Verdict::same || are_equal(*finding));
+bool are_alike(const Comparison* comparison) {
+  return comparison && (verdict_of(*comparison) == Verdict::equivalent || all_values_equal(*comparison));
 }
 
 // Of each of some and each of the others.
@@ -103,26 +103,27 @@ constexpr std::array all_words{
           "move the joints less", "moves them", "move them", "as far"}};
 
 // Null if the answer lacks it.
-const JudgedMetric* metric_of(const Answer& answer, const Words& words) {
+const JudgedMetric* metric_of(const ReportModel& answer, const Words& words) {
   const auto found = std::ranges::find_if(answer.metrics, [&](const JudgedMetric& judged) {
-    return judged.observations.metric == words.metric || judged.observations.metric == words.per_solved;
+    return judged.samples.metric == words.metric || judged.samples.metric == words.per_solved;
   });
-  return found == answer.metrics.end() || &*found == &answer.decisive() ? nullptr : &*found;
+  return found == answer.metrics.end() || &*found == &answer.primary() ? nullptr : &*found;
 }
 
 // Why pairs of these are not tested, if all have one reason: " (8 runs are too few, 10 are needed)", " (the machine was
 // busy)".
-std::string why_not(const Answer& answer, const JudgedMetric& judged, const Names& who) {
+std::string why_not(const ReportModel& answer, const JudgedMetric& judged, const Names& who) {
   std::set<std::string> reasons;
   const std::set<std::string_view> named(who.begin(), who.end());
-  for (const Comparison& finding : judged.findings) {
-    const auto* const open = std::get_if<NotTested>(&finding.what);
-    if (!open || (!named.contains(finding.first) && !named.contains(finding.second))) continue;
+  for (const Comparison& comparison : judged.comparisons) {
+    const auto* const open = std::get_if<NotTested>(&comparison.result);
+    if (!open || (!named.contains(comparison.first) && !named.contains(comparison.second))) continue;
     std::string reason = reason_text(*open, observation_noun(answer, judged));
-    for (const Doubt& doubt : judged.observations.doubts) {
-      if (open->why == NotTested::NotTestedReason::apart && doubt.kind == WarningKind::times_not_comparable)
-        reason = doubt.what;
-      if (open->why == NotTested::NotTestedReason::apart && doubt.kind == WarningKind::time_limit_decides)
+    for (const Warning& warning : judged.samples.warnings) {
+      if (open->reason == NotTested::NotTestedReason::not_comparable &&
+          warning.kind == WarningKind::times_not_comparable)
+        reason = warning.detail;
+      if (open->reason == NotTested::NotTestedReason::not_comparable && warning.kind == WarningKind::time_limit_decides)
         reason = "stopped by the time limit";
     }
     reasons.insert(std::move(reason));
@@ -135,45 +136,47 @@ std::string is_or_are(const Names& who) { return who.size() == 1 ? "is" : "are";
 // The sentence of the deciding metric.
 class First {
  public:
-  explicit First(const Answer& answer) : answer_(answer), judged_(answer.decisive()) {}
+  explicit First(const ReportModel& answer) : answer_(answer), judged_(answer.primary()) {}
 
-  std::string told(const std::vector<Said>& said) {
+  std::string told(const std::vector<Statement>& said) {
     std::string text = is_nothing_solved() ? "No target was solved. " : "";
     const bool is_control = said.front().against == Names{judged_.plan.control} && answer_.order.size() > 2;
     if (is_control) text += fmt::format("Against {}: ", with_numbers(said.front().against));
-    for (const Said& fact : said) {
+    for (const Statement& fact : said) {
       if (&fact != &said.front()) text += "; ";
-      text += is_control ? fmt::format("{} {}{}", with_numbers(fact.who), word(fact), little(fact)) : phrase(fact);
+      text += is_control ? fmt::format("{} {}{}", with_numbers(fact.solvers), word(fact), little(fact)) : phrase(fact);
     }
     return text;
   }
 
  private:
-  const Answer& answer_;
+  const ReportModel& answer_;
   const JudgedMetric& judged_;
   std::string first_ = {};  // whose number was told first, with its unit
 
   bool is_nothing_solved() const {
     return std::ranges::any_of(answer_.metrics, [&](const JudgedMetric& judged) {
       return &judged != &judged_ && is_solved(judged) &&
-             std::ranges::all_of(judged.described, [](const Descriptives& its) { return its.mean == 0; });
+             std::ranges::all_of(judged.descriptives, [](const Descriptives& its) { return its.mean == 0; });
     });
   }
   const Descriptives& described(const std::string& name) const {
-    return judged_.described[place_of(judged_.observations, name)];
+    return judged_.descriptives[index_of(judged_.samples, name)];
   }
-  std::string little(const Said& fact) const { return fact.is_little ? ", by less than " + margin_text(judged_) : ""; }
+  std::string little(const Statement& fact) const {
+    return fact.is_below_margin ? ", by less than " + margin_text(judged_) : "";
+  }
 
   // "88", "0.42"; of the first also what it is, the whole or the unit: "solved 100 of 100 targets".
   std::string number(const std::string& name) {
     const bool is_first = first_.empty();
     if (is_first) first_ = name;
-    const MetricSamples& observed = judged_.observations;
-    const auto [value, is_bound] = displayed_average(judged_, place_of(observed, name));
+    const MetricSamples& samples = judged_.samples;
+    const auto [value, is_bound] = displayed_average(judged_, index_of(samples, name));
     const int n = described(name).n;
     std::string text = with_unit((is_bound ? "at most " : "") + number_within(value, percent_boundaries(judged_)),
-                                 is_first ? observed.unit : "");
-    if (is_share(judged_) && observed.trials == 1) {
+                                 is_first ? samples.unit : "");
+    if (is_success_rate(judged_) && samples.trials_per_observation == 1) {
       text = fmt::format("{:.0f}", value * n / 100);
       if (is_first)
         text += fmt::format(" of {}{}", base::counted(n, answer_.noun), within());
@@ -186,8 +189,10 @@ class First {
   std::string within() const { return is_solved(judged_) ? answer_.within : ""; }
   std::string quantity() const {
     const bool is_mean = judged_.plan.test == results::AnalysisPlan::Test::means;
-    const char* const of = is_share(judged_) || judged_.observations.is_log_scale ? "" : is_mean ? "mean " : "median ";
-    return of + judged_.observations.quantity;
+    const char* const of = is_success_rate(judged_) || judged_.samples.is_log_scale ? ""
+                           : is_mean                                                ? "mean "
+                                                                                    : "median ";
+    return of + judged_.samples.quantity;
   }
   // "DLS (solved 100 of 100 targets)", and after it "PSO (88)".
   std::string with_numbers(Names names) {
@@ -195,28 +200,28 @@ class First {
     return names_of(names);
   }
 
-  std::string word(const Said& fact) const {
-    return fact.what == What::better       ? "better"
-           : fact.what == What::worse      ? "worse"
-           : fact.what == What::same       ? "the same within " + margin_text(judged_)
-           : fact.what == What::not_tested ? "not tested" + why_not(answer_, judged_, fact.who)
+  std::string word(const Statement& fact) const {
+    return fact.kind == What::better       ? "better"
+           : fact.kind == What::worse      ? "worse"
+           : fact.kind == What::equivalent ? "the same within " + margin_text(judged_)
+           : fact.kind == What::not_tested ? "not tested" + why_not(answer_, judged_, fact.solvers)
                                            : "not decided";
   }
 
-  std::string phrase(const Said& fact) {
-    const auto& who = fact.who;
+  std::string phrase(const Statement& fact) {
+    const auto& who = fact.solvers;
     const bool is_begin = first_.empty();
     const bool are_many = who.size() > 1, is_nearest = judged_.plan.metric.empty() && is_nothing_solved();
-    if (is_solved(judged_) && fact.against.empty() && fact.what <= What::unbeaten) return counted(fact);
-    switch (fact.what) {
-      case What::numbers: {
+    if (is_solved(judged_) && fact.against.empty() && fact.kind <= What::none_better) return counted(fact);
+    switch (fact.kind) {
+      case What::no_comparison: {
         const std::string its = number(who.front());
         return fmt::format("The {} of {} is{}", quantity(), who.front(), its.substr(quantity().size()));
       }
       case What::best: {
         const std::string best = is_solved(judged_) && are_many ? counted(fact) : with_numbers(who);
         const bool is_odd =
-            std::ranges::count(judged_.observations.doubts, WarningKind::ranks_disagree, &Doubt::kind) > 0;
+            std::ranges::count(judged_.samples.warnings, WarningKind::ranks_disagree, &Warning::kind) > 0;
         if (answer_.order.size() == 2)
           return fmt::format("{} is better than {}{}{}", best, with_numbers(fact.against), is_odd ? " by ranks" : "",
                              little(fact));
@@ -227,14 +232,14 @@ class First {
         return fmt::format("{}{}; {} {} worse{}", best, is, with_numbers(fact.against), is_or_are(fact.against),
                            little(fact));
       }
-      case What::same:
+      case What::equivalent:
         return fmt::format("{} are the same within {}", with_numbers(who), margin_text(judged_));
-      case What::undecided:
+      case What::inconclusive:
         return fmt::format("Not decided between {}{}", with_numbers(who),
                            who_are_equal(who) ? ": all values are equal" : "");
-      case What::unbeaten:
+      case What::none_better:
         return "Nobody is shown to beat " + with_numbers(who);
-      case What::circle:
+      case What::cyclic:
         return "No solver is best, since each is worse than another: " + with_numbers(who);
       case What::not_tested:
         return fmt::format("{}ot tested{}{}: {}", is_begin ? 'N' : 'n',
@@ -248,20 +253,20 @@ class First {
   }
   bool who_are_equal(const Names& who) const {
     const Pairs pairs(judged_, who);
-    return all_pairs(who, who, [&](auto& one, auto& other) { return are_equal(*pairs.finding(one, other)); });
+    return all_pairs(who, who, [&](auto& one, auto& other) { return all_values_equal(*pairs.finding(one, other)); });
   }
 
   // "LM and DLS solved all 100 targets, SLSQP 99 (not decided)"
-  std::string counted(const Said& fact) {
-    const double most = described(fact.who.front()).mean;
-    const int n = described(fact.who.front()).n;
-    const Names firsts = who_of(fact.who, [&](auto& name) { return described(name).mean == most; });
+  std::string counted(const Statement& fact) {
+    const double most = described(fact.solvers.front()).mean;
+    const int n = described(fact.solvers.front()).n;
+    const Names firsts = who_of(fact.solvers, [&](auto& name) { return described(name).mean == most; });
     const std::string its = number(firsts.front());
     std::string text = fmt::format("{} {}", names_of(firsts),
-                                   most == 100 && n > 1 && judged_.observations.trials == 1
+                                   most == 100 && n > 1 && judged_.samples.trials_per_observation == 1
                                        ? fmt::format("solved all {}{}", base::counted(n, answer_.noun), within())
                                        : its);
-    Names others = who_of(fact.who, [&](auto& name) { return described(name).mean != most; });
+    Names others = who_of(fact.solvers, [&](auto& name) { return described(name).mean != most; });
     if (others.empty()) return text;
     const std::string best = number(others.front()), worst = number(others.back());
     const bool are_many = others.size() > most_named;
@@ -270,9 +275,9 @@ class First {
                        are_many
                            ? fmt::format("{} others {}{}", others.size(), worst, best == worst ? "" : " to " + best)
                            : fmt::format("{}", fmt::join(others, ", ")),
-                       fact.what == What::undecided  ? "not decided"
-                       : fact.what == What::unbeaten ? "no difference is shown"
-                                                     : "the same within " + margin_text(judged_));
+                       fact.kind == What::inconclusive  ? "not decided"
+                       : fact.kind == What::none_better ? "no difference is shown"
+                                                        : "the same within " + margin_text(judged_));
   }
 };
 
@@ -282,38 +287,40 @@ std::string ratios_told(const std::vector<std::pair<std::string, double>>& ratio
   if (ratios.empty()) return "";
   std::vector<std::string> told;
   for (const auto& [name, ratio] : ratios)
-    told.push_back(fmt::format("{} {}{}", name, told.empty() ? fmt::format("{} ", words.takes) : "", times(ratio)));
+    told.push_back(
+        fmt::format("{} {}{}", name, told.empty() ? fmt::format("{} ", words.takes) : "", ratio_text(ratio)));
   const auto [least, most] = std::ranges::minmax(ratios, {}, &std::pair<std::string, double>::second);
-  const std::string from = times(least.second) == times(most.second) ? "" : number_text(least.second, 2) + " to ";
+  const std::string from =
+      ratio_text(least.second) == ratio_text(most.second) ? "" : number_text(least.second, 2) + " to ";
   return fmt::format("; {} {}{}",
                      told.size() < most_named
                          ? fmt::format("{}", fmt::join(told, ", "))
-                         : fmt::format("{} others {} {}{}", told.size(), words.take, from, times(most.second)),
+                         : fmt::format("{} others {} {}{}", told.size(), words.take, from, ratio_text(most.second)),
                      words.as, as_whom);
 }
 
 // The sentence of the second question. All are held against one, who is ahead of most.
-std::string then_told(const Answer& answer, const Question& question) {
-  const JudgedMetric& judged = *question.of;
+std::string then_told(const ReportModel& answer, const HeadlineQuestion& question) {
+  const JudgedMetric& judged = *question.metric;
   const Words& words =
       *std::ranges::find_if(all_words, [&](const Words& its) { return metric_of(answer, its) == &judged; });
   Names best, losers, untested;
-  for (const Said& fact : question.said) {
-    Names& who = fact.what == What::not_tested ? untested : fact.what == What::worse ? losers : best;
-    who.insert(who.end(), fact.who.begin(), fact.who.end());
-    if (fact.what == What::best) losers = fact.against;
+  for (const Statement& fact : question.statements) {
+    Names& who = fact.kind == What::not_tested ? untested : fact.kind == What::worse ? losers : best;
+    who.insert(who.end(), fact.solvers.begin(), fact.solvers.end());
+    if (fact.kind == What::best) losers = fact.against;
   }
   Names all = best;
   all.insert(all.end(), losers.begin(), losers.end());
   const Pairs pairs(judged, all);
   const auto is_ahead = [&](auto& one, auto& other) { return pairs.of(one, other) == Verdict::better; };
-  std::string text = question.before;
+  std::string text = question.preface;
   if (losers.empty()) {
-    text += question.said.front().what == What::circle
-                ? fmt::format("By {} each is worse than another", judged.observations.quantity)
-            : question.said.front().what == What::same && untested.empty()
-                ? fmt::format("By {} they are the same within {}", judged.observations.quantity, margin_text(judged))
-                : fmt::format("No difference in {} is shown", judged.observations.quantity);
+    text += question.statements.front().kind == What::cyclic
+                ? fmt::format("By {} each is worse than another", judged.samples.quantity)
+            : question.statements.front().kind == What::equivalent && untested.empty()
+                ? fmt::format("By {} they are the same within {}", judged.samples.quantity, margin_text(judged))
+                : fmt::format("No difference in {} is shown", judged.samples.quantity);
   } else {
     const std::string first = *std::ranges::max_element(best, {}, [&](const std::string& name) {
       return std::ranges::count_if(losers, [&](auto& loser) { return is_ahead(name, loser); });
@@ -321,8 +328,8 @@ std::string then_told(const Answer& answer, const Question& question) {
     std::vector<std::pair<std::string, double>> ratios;
     for (const std::string& loser : losers) {
       const Comparison* const pair = pairs.finding(first, loser);
-      if (pair && is_ahead(first, loser) && pair->amount && pair->scale == EffectScale::ratio)
-        ratios.emplace_back(loser, pair->first == loser ? pair->amount->value : 1 / pair->amount->value);
+      if (pair && is_ahead(first, loser) && pair->estimate && pair->scale == EffectScale::ratio)
+        ratios.emplace_back(loser, pair->first == loser ? pair->estimate->value : 1 / pair->estimate->value);
     }
     const bool is_clear = all_pairs(best, losers, is_ahead);
     const auto is_so = [&](auto& one, auto& other) { return is_little(pairs.finding(one, other)); };
@@ -338,10 +345,10 @@ std::string then_told(const Answer& answer, const Question& question) {
 
 }  // namespace
 
-std::vector<Said> statements_of(const JudgedMetric& judged, const Names& among) {
+std::vector<Statement> statements_of(const JudgedMetric& judged, const Names& among) {
   const Pairs pairs(judged, among);
-  if (!pairs.is_any()) return {{What::numbers, among}};
-  std::vector<Said> said;
+  if (!pairs.is_any()) return {{What::no_comparison, among}};
+  std::vector<Statement> said;
   const auto add = [&](What what, const Names& who, const Names& against = {}) {
     if (who.empty()) return;
     const auto is_so = [&](auto& one, auto& other) { return is_little(pairs.finding(one, other)); };
@@ -366,8 +373,8 @@ std::vector<Said> statements_of(const JudgedMetric& judged, const Names& among) 
   }
   if (const std::string& control = judged.plan.control; has(among, control) && among.size() > 2) {
     for (const auto& [verdict, what] : {std::pair{Verdict::better, What::better},
-                                        {Verdict::same, What::same},
-                                        {Verdict::undecided, What::undecided},
+                                        {Verdict::equivalent, What::equivalent},
+                                        {Verdict::inconclusive, What::inconclusive},
                                         {Verdict::worse, What::worse},
                                         {Verdict::not_tested, What::not_tested}})
       add(what,
@@ -376,13 +383,13 @@ std::vector<Said> statements_of(const JudgedMetric& judged, const Names& among) 
     return said;
   }
   if (rest.empty()) {
-    add(What::circle, losers);
+    add(What::cyclic, losers);
     add(What::not_tested, apart);
     return said;
   }
-  add(rest.size() > 1 && are(rest, Verdict::same)        ? What::same
-      : rest.size() > 1 && are(rest, Verdict::undecided) ? What::undecided
-                                                         : What::unbeaten,
+  add(rest.size() > 1 && are(rest, Verdict::equivalent)     ? What::equivalent
+      : rest.size() > 1 && are(rest, Verdict::inconclusive) ? What::inconclusive
+                                                            : What::none_better,
       rest);
   NamesByPhrase worse;  // by the winner, an unbeaten one if there is one
   for (const std::string& loser : losers) {
@@ -390,54 +397,56 @@ std::vector<Said> statements_of(const JudgedMetric& judged, const Names& among) 
     const auto winner = std::ranges::find_if(rest, beats);
     worse.add(winner != rest.end() ? *winner : *std::ranges::find_if(among, beats), loser);
   }
-  for (const auto& [winner, who] : worse.all) add(What::worse, who, {winner});
+  for (const auto& [winner, who] : worse.entries) add(What::worse, who, {winner});
   const bool are_joined = std::ranges::any_of(apart, [&](auto& name) { return pairs.tested(name) > 0; });
   add(What::not_tested, apart, are_joined ? Names{leader} : Names());
   return said;
 }
 
-std::vector<Question> headline_questions(const Answer& answer) {
-  const JudgedMetric& first = answer.decisive();
-  std::vector<Question> all{{.of = &first, .said = statements_of(first, answer.solvers())}};
-  const auto& [what, unbeaten, against, is_little] = all.front().said.front();
-  const Names rest = what == What::numbers || what > What::unbeaten ? Names() : unbeaten;
+std::vector<HeadlineQuestion> headline_questions(const ReportModel& answer) {
+  const JudgedMetric& first = answer.primary();
+  std::vector<HeadlineQuestion> all{{.metric = &first, .statements = statements_of(first, answer.solvers())}};
+  const auto& [what, unbeaten, against, is_little] = all.front().statements.front();
+  const Names rest = what == What::no_comparison || what > What::none_better ? Names() : unbeaten;
   std::string before;
-  for (const std::string& then : answer.then) {
+  for (const std::string& then : answer.tie_breakers) {
     const auto words = std::ranges::find(all_words, then, &Words::then);
     const JudgedMetric* const judged = words == all_words.end() ? nullptr : metric_of(answer, *words);
     if (judged == nullptr || rest.size() < 2 || (answer.order.size() > 2 && !first.plan.control.empty())) continue;
-    std::vector<Said> said = statements_of(*judged, rest);
-    const auto is_judged = [](const Said& fact) { return fact.what != What::not_tested && fact.what != What::numbers; };
+    std::vector<Statement> said = statements_of(*judged, rest);
+    const auto is_judged = [](const Statement& fact) {
+      return fact.kind != What::not_tested && fact.kind != What::no_comparison;
+    };
     if (std::ranges::any_of(said, is_judged)) {
-      all.push_back({.of = judged, .said = std::move(said), .before = before});
+      all.push_back({.metric = judged, .statements = std::move(said), .preface = before});
       break;
     }
     before +=
-        fmt::format("{} is not judged{}. ", as_sentence(judged->observations.quantity), why_not(answer, *judged, rest));
+        fmt::format("{} is not judged{}. ", as_sentence(judged->samples.quantity), why_not(answer, *judged, rest));
   }
   return all;
 }
 
-std::string tie_breaker_sentence(const Answer& answer) {
-  const std::vector<Question> questions = headline_questions(answer);
+std::string tie_breaker_sentence(const ReportModel& answer) {
+  const std::vector<HeadlineQuestion> questions = headline_questions(answer);
   return questions.size() < 2 ? "" : then_told(answer, questions.back());
 }
 
-std::string headline(const Answer& answer) {
+std::string headline(const ReportModel& answer) {
   if (!answer.verdict.empty()) return answer.verdict;
-  const std::vector<Question> questions = headline_questions(answer);
+  const std::vector<HeadlineQuestion> questions = headline_questions(answer);
   const std::string then = questions.size() < 2 ? "" : ' ' + then_told(answer, questions.back());
-  return First(answer).told(questions.front().said) + '.' + then;
+  return First(answer).told(questions.front().statements) + '.' + then;
 }
 
-std::string ranking_note(const Answer& answer) {
+std::string ranking_note(const ReportModel& answer) {
   const auto has_winner = [&](const JudgedMetric& judged) {
-    return &judged != &answer.decisive() && !beaten_solvers(judged.findings).empty();
+    return &judged != &answer.primary() && !beaten_solvers(judged.comparisons).empty();
   };
   if (!answer.verdict.empty() || std::ranges::none_of(answer.metrics, has_winner)) return "";
-  const std::vector<Question> questions = headline_questions(answer);
-  return fmt::format("Judged by {}{}", answer.decisive().observations.quantity,
-                     questions.size() < 2 ? "" : ", then " + questions[1].of->observations.quantity);
+  const std::vector<HeadlineQuestion> questions = headline_questions(answer);
+  return fmt::format("Judged by {}{}", answer.primary().samples.quantity,
+                     questions.size() < 2 ? "" : ", then " + questions[1].metric->samples.quantity);
 }
 
 }  // namespace ikbench::show

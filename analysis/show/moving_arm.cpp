@@ -50,14 +50,14 @@ Json first_run(const StudyResults& study, const std::string& solver, const std::
   for (const std::size_t place : places) {
     if (place >= solves.size()) break;
     const SolveRecord& solve = solves[place];
-    const judge::Solve& judged = study.of(solver)[place];
+    const judge::SolveSummary& judged = study.of(solver)[place];
     Json step{{"point", solve.point},
               {"target", rounded(solve.target_position_m)},
               {"answer", rounded(solve.answer_rad)},
               {"error", factor * solve.position_error_cm},
               {"variation_deg", solve.variation_deg},
               {"variation_m", solve.variation_m},
-              {"late", judged.is_late},
+              {"late", judged.missed_deadline},
               {"too_fast", judged.exceeds_velocity}};
     if (!before || before->answer_rad != solve.start_rad) step["start"] = rounded(solve.start_rad);
     steps.push_back(std::move(step));
@@ -87,7 +87,7 @@ Json drawn(const robots::Chain& chain) {
 
 bool can_be_drawn(const StudyResults& study, std::size_t joints) {
   const auto is_near = [](double coordinate) { return std::abs(coordinate) <= 1000; };  // [m]
-  return std::ranges::all_of(study.drawn, [&](const SolveRecord& solve) {
+  return std::ranges::all_of(study.plotted, [&](const SolveRecord& solve) {
     return solve.target_position_m.size() == 3 && std::ranges::all_of(solve.target_position_m, is_near) &&
            solve.start_rad.size() == joints && solve.answer_rad.size() == joints;
   });
@@ -95,7 +95,7 @@ bool can_be_drawn(const StudyResults& study, std::size_t joints) {
 
 }  // namespace
 
-std::optional<std::string> moving_arm(const StudyResults& study, const std::vector<std::string>& order) {
+std::optional<std::string> animation_json(const StudyResults& study, const std::vector<std::string>& order) {
   const std::optional<robots::Robot> arm = robots::stored_arm(study.definition.arm);
   if (!arm || !can_be_drawn(study, arm->chain.links().size())) return std::nullopt;
   Json solvers = Json::array();

@@ -35,7 +35,7 @@ std::string base64(std::string_view bytes) {
 }
 
 Table told_of(Table table) {
-  if (table.told < table.rows.size()) table.rows.resize(table.told);
+  if (table.visible_rows < table.rows.size()) table.rows.resize(table.visible_rows);
   return table;
 }
 

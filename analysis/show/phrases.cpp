@@ -33,44 +33,45 @@ std::string with_unit(const std::string& text, const std::string& unit) {
 }
 
 void NamesByPhrase::add(const std::string& word, const std::string& name) {
-  auto entry = std::ranges::find(all, word, [](const auto& pair) { return pair.first; });
-  if (entry == all.end()) entry = all.insert(entry, {word, {}});
+  auto entry = std::ranges::find(entries, word, [](const auto& pair) { return pair.first; });
+  if (entry == entries.end()) entry = entries.insert(entry, {word, {}});
   if (std::ranges::count(entry->second, name) == 0) entry->second.push_back(name);
 }
 
-std::vector<std::string> NamesByPhrase::told(const char* form) const {
+std::vector<std::string> NamesByPhrase::formatted(const char* form) const {
   std::vector<std::string> told;
-  for (const auto& [word, names] : all) told.push_back(fmt::format(fmt::runtime(form), word, names_of(names)));
+  for (const auto& [word, names] : entries) told.push_back(fmt::format(fmt::runtime(form), word, names_of(names)));
   return told;
 }
 
 std::string margin_text(const JudgedMetric& judged) {
-  const auto [relative, absolute] = std::pair(judged.plan.margin, judged.observations.absolute_margin);
-  const std::string words = with_unit(number_text(100 * relative), is_share(judged) ? "points" : "%");
-  if (absolute == 0 || is_share(judged)) return words;
-  return (relative == 0 ? "" : words + " or ") + with_unit(number_text(absolute), judged.observations.unit);
+  const auto [relative, absolute] = std::pair(judged.plan.margin, judged.samples.absolute_margin);
+  const std::string words = with_unit(number_text(100 * relative), is_success_rate(judged) ? "points" : "%");
+  if (absolute == 0 || is_success_rate(judged)) return words;
+  return (relative == 0 ? "" : words + " or ") + with_unit(number_text(absolute), judged.samples.unit);
 }
 
-std::string comparison_text(const Comparison& finding, const JudgedMetric& judged) {
-  const std::string margin = margin_text(judged), verdict(judge::name_of(verdict_of(finding)));
-  if (const auto* const tested = std::get_if<TestResult>(&finding.what)) {
-    if (tested->verdict == Verdict::same) return "same within " + margin;
-    if (are_equal(finding)) return fmt::format("{}: all {} equal", verdict, tested->n);
-    return verdict + (tested->is_small ? ", by less than " + margin : "");
+std::string comparison_text(const Comparison& comparison, const JudgedMetric& judged) {
+  const std::string margin = margin_text(judged), verdict(judge::name_of(verdict_of(comparison)));
+  if (const auto* const tested = std::get_if<TestResult>(&comparison.result)) {
+    if (tested->verdict == Verdict::equivalent) return "same within " + margin;
+    if (all_values_equal(comparison)) return fmt::format("{}: all {} equal", verdict, tested->n);
+    return verdict + (tested->is_below_margin ? ", by less than " + margin : "");
   }
-  if (std::holds_alternative<DeterministicResult>(finding.what))
-    return verdict + (are_equal(finding) || is_difference(verdict_of(finding)) ? "" : " within " + margin) +
+  if (std::holds_alternative<DeterministicResult>(comparison.result))
+    return verdict +
+           (all_values_equal(comparison) || is_difference(verdict_of(comparison)) ? "" : " within " + margin) +
            ", for certain";
-  return fmt::format("{}: {}", verdict, reason_text(std::get<NotTested>(finding.what), "values"));
+  return fmt::format("{}: {}", verdict, reason_text(std::get<NotTested>(comparison.result), "values"));
 }
 
-const VerdictStyle& words_of(Verdict verdict) {
+const VerdictStyle& verdict_words(Verdict verdict) {
   static constexpr std::array<VerdictStyle, 5> all{
       {{"better", Tone::good}, {"worse", Tone::bad}, {"same"}, {"undecided"}, {"not_tested"}}};
   return all[static_cast<std::size_t>(verdict)];
 }
 
-ReasonTexts words_of(NotTested::NotTestedReason why) {
+ReasonTexts reason_words(NotTested::NotTestedReason why) {
   constexpr std::array<ReasonTexts, 9> all{
       {{"lost", "values are missing", "values are missing"},
        {"infinite", "infinite values have no mean", "infinite values have no mean"},
@@ -86,35 +87,36 @@ ReasonTexts words_of(NotTested::NotTestedReason why) {
 }
 
 std::string reason_text(const NotTested& open, std::string_view noun) {
-  if (open.why != NotTested::NotTestedReason::too_few || open.n == 0) return std::string(words_of(open.why).of_pair);
+  if (open.reason != NotTested::NotTestedReason::sample_too_small || open.n == 0)
+    return std::string(reason_words(open.reason).of_pair);
   return fmt::format("{} {} too few, {} are needed", base::counted(open.n, noun), open.n == 1 ? "is" : "are",
-                     open.needed);
+                     open.required_n);
 }
 
-std::string warning_sentence(const Doubt& doubt) {
-  const std::string text = words_of(doubt) + '.';
-  return doubt.who.empty() || !text.starts_with(doubt.who[0]) ? as_sentence(text) : text;
+std::string warning_sentence(const Warning& warning) {
+  const std::string text = warning_text(warning) + '.';
+  return warning.solvers.empty() || !text.starts_with(warning.solvers[0]) ? as_sentence(text) : text;
 }
 
-std::string estimate_unit(const Comparison& finding, const JudgedMetric& judged) {
-  if (!finding.amount) return "";
-  return finding.scale == EffectScale::ratio   ? "times"
-         : finding.scale == EffectScale::share ? "points"
-                                               : judged.observations.unit;
+std::string estimate_unit(const Comparison& comparison, const JudgedMetric& judged) {
+  if (!comparison.estimate) return "";
+  return comparison.scale == EffectScale::ratio   ? "times"
+         : comparison.scale == EffectScale::share ? "points"
+                                                  : judged.samples.unit;
 }
 
-std::string dominance_text(const Comparison& finding) {
-  const auto* const tested = std::get_if<TestResult>(&finding.what);
-  if (!tested || !tested->effect || !is_difference(tested->verdict)) return "";
-  const auto& [ahead, behind] = *tested->effect;
+std::string dominance_text(const Comparison& comparison) {
+  const auto* const tested = std::get_if<TestResult>(&comparison.result);
+  if (!tested || !tested->dominance || !is_difference(tested->verdict)) return "";
+  const auto& [ahead, behind] = *tested->dominance;
   return fmt::format("better in {} %, worse in {} % of comparisons", number_text(100 * ahead),
                      number_text(100 * behind));
 }
 
-std::set<double> null_and_margin(const Comparison& finding, const JudgedMetric& judged) {
+std::set<double> null_and_margin(const Comparison& comparison, const JudgedMetric& judged) {
   const double margin = judged.plan.margin;
-  if (finding.scale == EffectScale::ratio) return {1, 1 + margin, 1 / (1 + margin)};
-  const double end = is_share(judged) ? 100 * margin : judged.observations.absolute_margin;
+  if (comparison.scale == EffectScale::ratio) return {1, 1 + margin, 1 / (1 + margin)};
+  const double end = is_success_rate(judged) ? 100 * margin : judged.samples.absolute_margin;
   return {0, end, -end};
 }
 
@@ -134,31 +136,32 @@ std::string failure_reasons_text(const StudyResults& study) {
   NamesByPhrase reasons;
   for (const std::string& label : study.labels) {
     std::set<std::string> of_label;
-    for (const Solve& solve : study.of(label)) {
+    for (const SolveSummary& solve : study.of(label)) {
       if (solve.status != results::Status::ok)
-        of_label.insert(!results::is_in_order(solve.status) ? with_spaces(results::name_of(solve.status))
+        of_label.insert(!results::is_sound(solve.status) ? with_spaces(results::name_of(solve.status))
                         : solve.stop_reason == results::StopReason::finished
                             ? "it gave up"
                             : "limit of " + with_spaces(results::name_of(solve.stop_reason)));
     }
     if (!of_label.empty()) reasons.add(listed({of_label.begin(), of_label.end()}, " or "), label);
   }
-  return reasons.all.empty() ? "" : fmt::format("Unsolved: {}.", fmt::join(reasons.told("{} ({})"), "; "));
+  return reasons.entries.empty() ? "" : fmt::format("Unsolved: {}.", fmt::join(reasons.formatted("{} ({})"), "; "));
 }
 
 std::string rejections_text(const StudyResults& study) {
   NamesByPhrase faults;
-  for (const auto& [label, all] : study.faults)
+  for (const auto& [label, all] : study.rejections)
     for (const auto& [fault, count] : all) faults.add(fault, fmt::format("{} {}", label, count));
-  if (faults.all.size() > 10) faults.all = {{base::counted(std::ssize(faults.all), "faults"), {"solves.csv"}}};
-  return faults.all.empty() ? "" : fmt::format("Invalid: {}.", fmt::join(faults.told("{} ({})"), "; "));
+  if (faults.entries.size() > 10)
+    faults.entries = {{base::counted(std::ssize(faults.entries), "faults"), {"solves.csv"}}};
+  return faults.entries.empty() ? "" : fmt::format("Invalid: {}.", fmt::join(faults.formatted("{} ({})"), "; "));
 }
 
 const std::string& title_of(const StudyResults& study) {
   return study.definition.title.empty() ? study.name : study.definition.title;
 }
 
-std::string what_is_solved(const StudyResults& study) {
+std::string study_text(const StudyResults& study) {
   const results::StudyDefinition& definition = study.definition;
   const bool is_one_each = definition.draws_targets && definition.points == 1;
   return fmt::format("{}, {}{} ({})", std::filesystem::path(definition.robot).stem().string(),

@@ -38,7 +38,7 @@ bool may_be_of_report(const fs::path& file) {
 }
 
 // The results.json of a folder, or an empty object; a link may be to another folder's.
-Json results_of(const fs::path& folder) {
+Json results_sentences(const fs::path& folder) {
   std::error_code none;
   const fs::path file = folder / own_files[2];
   const auto text = fs::is_symlink(file, none) ? std::nullopt : base::read_file(file);
@@ -123,14 +123,14 @@ std::vector<std::string> report_files(const std::vector<std::string>& tables,
   return files;
 }
 
-std::vector<std::string> claim(const fs::path& folder, std::vector<std::string> files) {
+std::vector<std::string> reserve_files(const fs::path& folder, std::vector<std::string> files) {
   for (const char* name : folders) {  // what a link leads to belongs to somebody else
     std::error_code none;
     if (const fs::path place = folder / name; fs::is_symlink(place, none))
       throw std::invalid_argument(fmt::format("'{}' is a link; remove it, or choose another folder", place.string()));
   }
   files.emplace_back(own_files[2]);
-  Json results = results_of(folder);
+  Json results = results_sentences(folder);
   std::set<std::string> all;
   if (results.contains("files") && results["files"].is_array())
     for (const Json& file : results["files"])
@@ -150,8 +150,8 @@ std::vector<std::string> claim(const fs::path& folder, std::vector<std::string> 
   return earlier;
 }
 
-Written publish(const Report& report, const fs::path& folder, const figures::RenderOptions& options,
-                const std::string& program) {
+WrittenReport write_report(const Report& report, const fs::path& folder, const figures::RenderOptions& options,
+                           const std::string& program) {
   for (const char* name : own_files) base::refuse_input(folder / name);
   std::vector<Blocks> sections = report_sections(report);
   const std::vector<std::string> unused = figures::reword(all_in<figures::Figure>(sections), options.style);
@@ -167,12 +167,12 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   std::vector<std::string> names;
   for (const Table* table : tables) names.push_back(table->name);
   for (const figures::Figure* figure : all_in<figures::Figure>(sections)) figures.push_back(*figure);
-  Written written{.page = folder / own_files[0]};
+  WrittenReport written{.page = folder / own_files[0]};
   std::vector<std::string>& files = written.files = report_files(names, figures);
   for (const std::string file : article_files)
-    if (file != "references.bib" || !report.keys.empty()) files.push_back("article/" + file);
+    if (file != "references.bib" || !report.citation_keys.empty()) files.push_back("article/" + file);
   files.insert(files.end(), own_files.begin(), own_files.end() - 1);
-  std::vector<std::string> earlier = claim(folder, files);
+  std::vector<std::string> earlier = reserve_files(folder, files);
   std::erase_if(earlier, [](const std::string& file) { return !may_be_of_report(file); });
   for (const std::string& file : earlier) base::refuse_input(folder / file);
   written.warnings = figures::write_figures(figures, folder / "figures", options);
@@ -191,7 +191,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   leave_out_undrawn(sections, folder, written.warnings);
   written.warnings.insert(written.warnings.end(), unused.begin(), unused.end());
   base::write_file(folder / "report.md", to_markdown(sections, folder));
-  std::optional<std::string> arm = moving_arm(report.study, report.answer.solvers());
+  std::optional<std::string> arm = animation_json(report.study, report.answer.solvers());
   if (arm && threejs_source().empty()) {
     written.warnings.emplace_back("the page has no moving arm: this ikbench was built without three.js");
     arm.reset();

@@ -20,7 +20,7 @@ std::vector<std::string> picture_formats_of(const figures::Figure& figure, const
 void write_table(const Table& table, const Table& article, const std::filesystem::path& folder,
                  const std::string& program);
 
-struct Written {
+struct WrittenReport {
   std::filesystem::path page;         // report.html
   std::vector<std::string> files;     // all, from the folder
   std::vector<std::string> warnings;  // figures that were not drawn
@@ -30,11 +30,11 @@ std::vector<std::string> report_files(const std::vector<std::string>& tables,
                                       const std::vector<figures::Figure>& figures);
 // Before these files are written: refuses those that results.json does not list, and lists them there, so that after a
 // kill they are known. Returns what it listed before.
-std::vector<std::string> claim(const std::filesystem::path& folder, std::vector<std::string> files);
+std::vector<std::string> reserve_files(const std::filesystem::path& folder, std::vector<std::string> files);
 // Writes report.html, report.md, results.json, tables/ and figures/ beside the study's solves.csv, which whoever reads
 // its solves has written (results/export.hpp); removes what an earlier report wrote, and this one does not. `program`
 // made it, with its version. Throws as base::refuse_place if the folder cannot be written.
-Written publish(const Report& report, const std::filesystem::path& folder, const figures::RenderOptions& options,
-                const std::string& program = {});
+WrittenReport write_report(const Report& report, const std::filesystem::path& folder,
+                           const figures::RenderOptions& options, const std::string& program = {});
 
 }  // namespace ikbench::show

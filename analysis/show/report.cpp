@@ -26,13 +26,13 @@ Table solves_table(const Report& report) {
   const std::string calls = judge::timed_calls_text(study);
   Table table{.name = "solves",
               .caption = calls.empty() ? "Single solves" : fmt::format("Single solves: {}", calls),
-              .columns = columns_of({"solver", "solves", "failed"})};
+              .columns = named_columns({"solver", "solves", "failed"})};
   for (const char* of_times : {"median", "95 %", "99 %", "largest"}) table.columns.push_back({of_times, "ms"});
   const bool are_single = std::ranges::all_of(study.sessions, judge::uses_current_clock);
   for (const std::string& solver : report.answer.solvers()) {
     const Solves all = study.of(solver);
-    if (all.size() < 2 || study.beside.has(solver)) continue;
-    const auto failed = std::ranges::count_if(all, [&](const Solve& solve) { return has_failed(study, solve); });
+    if (all.size() < 2 || study.imported.has(solver)) continue;
+    const auto failed = std::ranges::count_if(all, [&](const SolveSummary& solve) { return has_failed(study, solve); });
     std::vector<double> times = solve_times(study, solver);
     for (double& time : times) time *= 1000;
     std::ranges::sort(times);
@@ -55,13 +55,14 @@ Table solves_table(const Report& report) {
 // Medians of the solvers' own numbers.
 Table extras_table(const Report& report) {
   const StudyResults& study = report.study;
-  Table table{.name = "extras", .caption = "Numbers of the solvers' own, medians", .columns = columns_of({"solver"})};
+  Table table{
+      .name = "extras", .caption = "Numbers of the solvers' own, medians", .columns = named_columns({"solver"})};
   for (const auto& [name, by_solver] : study.extras) table.columns.push_back({name});
   for (const std::string& solver : report.answer.solvers()) {
     std::vector<Cell> row{solver};
     for (const auto& [name, by_solver] : study.extras) {
       const auto values = by_solver.find(solver);
-      row.push_back(values == by_solver.end() ? Cell() : Cell(described(values->second).median));
+      row.push_back(values == by_solver.end() ? Cell() : Cell(describe_values(values->second).median));
     }
     if (std::ranges::any_of(row, [](const Cell& cell) { return std::holds_alternative<double>(cell); }))
       table.rows.push_back(std::move(row));
@@ -70,7 +71,7 @@ Table extras_table(const Report& report) {
 }
 
 Table options_table(const StudyResults& study) {
-  Table table{.caption = "Options", .columns = {{"label"}, {"solver"}, {"options"}}, .told = 0};
+  Table table{.caption = "Options", .columns = {{"label"}, {"solver"}, {"options"}}, .visible_rows = 0};
   for (const results::Series& series : study.series) {
     std::vector<std::string> options;
     const auto json = base::parsed_ordered_json(series.options);
@@ -92,7 +93,7 @@ Report make_report(JudgedStudy judged, std::vector<figures::Figure> figures) {
 
 std::vector<Table> setup_tables(const Report& report) {
   const StudyResults& study = report.study;
-  const JudgedMetric& decisive = report.answer.decisive();
+  const JudgedMetric& decisive = report.answer.primary();
   const results::StudyDefinition& definition = study.definition;
   const std::vector<Column> columns{{"what"}, {"value"}};
   Table of_study{.caption = "Study", .columns = columns}, machine{.caption = "Machine", .columns = columns};
@@ -125,8 +126,9 @@ std::vector<Table> setup_tables(const Report& report) {
   }
   std::set<std::string> tests;
   for (const JudgedMetric& judged : report.answer.metrics) {
-    for (const Comparison& finding : judged.findings)
-      if (const auto* const tested = std::get_if<TestResult>(&finding.what)) tests.insert(std::string(tested->test));
+    for (const Comparison& comparison : judged.comparisons)
+      if (const auto* const tested = std::get_if<TestResult>(&comparison.result))
+        tests.insert(std::string(tested->test));
   }
   add(of_study, "tests of pairs", listed_of(tests));
   const std::size_t metrics = report.answer.named_metrics;
@@ -142,16 +144,16 @@ std::vector<Table> setup_tables(const Report& report) {
 }
 
 std::vector<Blocks> report_sections(const Report& report) {
-  std::vector<Blocks> sections{report.first};
+  std::vector<Blocks> sections{report.lead};
   const bool is_of_study = !report.study.series.empty();  // else of a user's file
-  std::vector<std::string> doubts;
-  for (const Doubt& doubt : report.answer.all_warnings()) doubts.push_back(warning_sentence(doubt));
-  if (report.first.empty()) {
+  std::vector<std::string> warnings;
+  for (const Warning& warning : report.answer.all_warnings()) warnings.push_back(warning_sentence(warning));
+  if (report.lead.empty()) {
     sections[0] = {Heading{headline(report.answer)}};
-    if (is_of_study) sections[0].emplace_back(report.answer.studied);
+    if (is_of_study) sections[0].emplace_back(report.answer.study_text);
     Table results = results_table(report.answer);
-    results.notes.insert(results.notes.end(), doubts.begin(), doubts.end());
-    doubts.clear();
+    results.notes.insert(results.notes.end(), warnings.begin(), warnings.end());
+    warnings.clear();
     sections[0].emplace_back(std::move(results));
   }
   const auto add = [&](std::string heading, Blocks blocks) {
@@ -166,23 +168,23 @@ std::vector<Blocks> report_sections(const Report& report) {
   };
   if (!report.claims.empty()) sections.push_back(report.claims);
   add("Pictures", {report.figures.begin(), report.figures.end()});
-  for (const auto& [heading, table] : report.answer.more) add(heading, {table});
-  std::ranges::copy(report.additions, std::back_inserter(sections));
+  for (const auto& [heading, table] : report.answer.extra_tables) add(heading, {table});
+  std::ranges::copy(report.extra_sections, std::back_inserter(sections));
   add("Who is better?", {pairs_table(report.answer)});
   if (!report.has_own_numbers) {
     Table numbers = descriptives_table(report.answer), solves = solves_table(report),
           all = omnibus_table(report.answer);
-    numbers.told = solves.told = 0;
+    numbers.visible_rows = solves.visible_rows = 0;
     add("All numbers", {std::move(numbers), std::move(solves), extras_table(report)});
     const auto is_first = [&](const auto& row) {
-      return std::get<std::string>(row[0]) == report.answer.decisive().observations.quantity;
+      return std::get<std::string>(row[0]) == report.answer.primary().samples.quantity;
     };
-    all.told = static_cast<std::size_t>(std::ranges::count_if(all.rows, is_first));
-    if (report.answer.decisive().plan.test == results::AnalysisPlan::Test::means)
+    all.visible_rows = static_cast<std::size_t>(std::ranges::count_if(all.rows, is_first));
+    if (report.answer.primary().plan.test == results::AnalysisPlan::Test::means)
       add("All solvers at once", {std::move(all)});
   }
-  doubts.insert(doubts.end(), report.warnings.begin(), report.warnings.end());
-  add("Warnings", {doubts.begin(), doubts.end()});
+  warnings.insert(warnings.end(), report.extra_warnings.begin(), report.extra_warnings.end());
+  add("Warnings", {warnings.begin(), warnings.end()});
   if (is_of_study)
     add("Set-up", {setup_tables(report)[0], options_table(report.study), setup_tables(report)[1],
                    "As a paragraph, with what to cite: article/methods.tex."});

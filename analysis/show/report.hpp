@@ -14,16 +14,16 @@ namespace ikbench::show {
 // What sections are made of.
 struct Report {
   judge::StudyResults study;  // a user's file: its name alone
-  Answer answer;
+  ReportModel answer;
   std::vector<figures::Figure> figures;
   // Of a paper: instead of the sentence and the table of results; its claims; and sections of its own, each with its
   // heading.
-  Blocks first = {}, claims = {};
-  std::vector<Blocks> additions = {};
-  bool has_own_numbers = false;            // the additions have the descriptions and the ANOVA
-  std::vector<std::string> warnings = {};  // beside the study's own
-  std::vector<std::string> keys = {};      // that its article cites
-  std::string_view references = {};        // where they are
+  Blocks lead = {}, claims = {};
+  std::vector<Blocks> extra_sections = {};
+  bool has_own_numbers = false;                  // the additions have the descriptions and the ANOVA
+  std::vector<std::string> extra_warnings = {};  // beside the study's own
+  std::vector<std::string> citation_keys = {};   // that its article cites
+  std::string_view references = {};              // where they are
 };
 Report make_report(judge::JudgedStudy judged, std::vector<figures::Figure> figures);
 

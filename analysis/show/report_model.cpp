@@ -22,26 +22,26 @@ namespace {
 void scale(double factor, auto&... values) { ((values *= factor), ...); }
 
 JudgedMetric in_unit(JudgedMetric judged, double factor, std::string unit) {
-  MetricSamples& observed = judged.observations;
-  observed.unit = std::move(unit);
-  scale(factor, observed.floor, observed.rounding, observed.absolute_margin);
+  MetricSamples& samples = judged.samples;
+  samples.unit = std::move(unit);
+  scale(factor, samples.floor, samples.resolution, samples.absolute_margin);
   const auto scale_all = [=](std::vector<double>& values) {
     for (double& value : values) scale(factor, value);
   };
-  for (Group& group : observed.groups) {
-    scale(factor, group.at_most);
-    if (auto* const measured = std::get_if<Measured>(&group.sample); measured && !observed.is_log_scale)
+  for (Group& group : samples.groups) {
+    scale(factor, group.tolerance);
+    if (auto* const measured = std::get_if<Sample>(&group.sample); measured && !samples.is_log_scale)
       scale_all(measured->values);
     if (auto* const printed = std::get_if<SummaryStatistics>(&group.sample)) scale(factor, printed->mean, printed->sd);
-    if (auto* const its = std::get_if<ExcludedSample>(&group.sample); its && !observed.is_log_scale)
+    if (auto* const its = std::get_if<ExcludedSample>(&group.sample); its && !samples.is_log_scale)
       scale_all(its->values);
   }
-  for (Descriptives& its : judged.described)
+  for (Descriptives& its : judged.descriptives)
     scale(factor, its.mean, its.sd, its.median, its.lower_quartile, its.upper_quartile, its.quantile_95, its.smallest,
           its.largest);
-  for (Comparison& finding : judged.findings) {
-    auto& amount = finding.amount;
-    if (!amount || finding.scale == EffectScale::ratio) continue;
+  for (Comparison& comparison : judged.comparisons) {
+    auto& amount = comparison.estimate;
+    if (!amount || comparison.scale == EffectScale::ratio) continue;
     scale(factor, amount->value);
     if (amount->interval) scale(factor, amount->interval->low, amount->interval->high);
   }
@@ -55,12 +55,12 @@ Table loop_table(const StudyResults& study, const std::vector<std::string>& solv
   Table table{.name = "loop",
               .caption = fmt::format("A control loop of {} ms", number_text(1000 * period)),
               .columns = {{"solver"},
-                          {.name = "failed", .unit = "%", .ends = ends},
-                          {.name = "late", .unit = "%", .ends = ends},
+                          {.name = "failed", .unit = "%", .boundaries = ends},
+                          {.name = "late", .unit = "%", .boundaries = ends},
                           {"late in a row"},
                           {"largest step", "deg"},
-                          {.name = "too fast", .unit = "%", .ends = ends}}};
-  const auto& all_steps = study.definition.steps;
+                          {.name = "too fast", .unit = "%", .boundaries = ends}}};
+  const auto& all_steps = study.definition.max_steps;
   std::vector<std::string> unlimited;
   for (std::size_t j = 0; j < all_steps.size(); ++j)
     if (std::isinf(all_steps[j].first)) unlimited.push_back(fmt::format("joint {}", j + 1));
@@ -71,11 +71,11 @@ Table loop_table(const StudyResults& study, const std::vector<std::string>& solv
     double failed = 0, late = 0, steps = 0, too_fast = 0, largest = 0;
     std::int64_t in_a_row = 0, most = 0;
     bool is_timed = true;
-    for (const Solve& solve : all) {
+    for (const SolveSummary& solve : all) {
       is_timed &= solve.timing == results::Timing::clean || solve.timing == results::Timing::process;
       failed += has_failed(study, solve);
-      late += solve.is_late;
-      in_a_row = solve.is_late ? 1 + (solve.point > 1 ? in_a_row : 0) : 0;
+      late += solve.missed_deadline;
+      in_a_row = solve.missed_deadline ? 1 + (solve.point > 1 ? in_a_row : 0) : 0;
       most = std::max(most, in_a_row);
       if (solve.point == 1) continue;
       ++steps;
@@ -102,15 +102,15 @@ Table beside_table(const StudyResults& study, const std::vector<std::string>& so
   Table table{.name = "beside",
               .caption = "Times as multiples of LM's on the same machine, not tested",
               .columns = {{"solver"}, {"median", "times"}, {"95 %", "times"}, {"measured"}}};
-  const auto lm = std::ranges::find(study.series, study.beside.unit_here, &results::Series::label);
-  if (study.beside.labels.empty() || lm == study.series.end()) return table;
-  const double here = described(solve_times(study, lm->label)).median;
+  const auto lm = std::ranges::find(study.series, study.imported.local_reference, &results::Series::label);
+  if (study.imported.labels.empty() || lm == study.series.end()) return table;
+  const double here = describe_values(solve_times(study, lm->label)).median;
   for (const std::string& solver : solvers) {
-    const Descriptives its = described(solve_times(study, solver));
-    const bool is_there = study.beside.has(solver);
-    const double unit = is_there ? study.beside.unit : here;
+    const Descriptives its = describe_values(solve_times(study, solver));
+    const bool is_there = study.imported.has(solver);
+    const double unit = is_there ? study.imported.reference_seconds : here;
     table.rows.push_back(
-        {solver, its.median / unit, its.quantile_95 / unit, is_there ? study.beside.of : "in this run"});
+        {solver, its.median / unit, its.quantile_95 / unit, is_there ? study.imported.origin : "in this run"});
   }
   return table;
 }
@@ -120,9 +120,9 @@ Table batches_table(const StudyResults& study) {
   Table table{.name = "batches",
               .caption = "The time of a pose in a batch, solved or not, not tested",
               .columns = {{"solver"}, {"in batches of"}, {"median", "ms"}, {"95 %", "ms"}}};
-  for (const auto& [solver, its] : study.in_batches) {
+  for (const auto& [solver, its] : study.batch_timings) {
     if (its.second.empty()) continue;
-    const Descriptives all = described(its.second);
+    const Descriptives all = describe_values(its.second);
     table.rows.push_back(
         {solver, fmt::format("{}", fmt::join(its.first, ", ")), 1000 * all.median, 1000 * all.quantile_95});
   }
@@ -131,64 +131,66 @@ Table batches_table(const StudyResults& study) {
 
 }  // namespace
 
-std::vector<std::string> Answer::solvers() const {
+std::vector<std::string> ReportModel::solvers() const {
   std::vector<std::string> names;
-  for (const std::size_t i : order) names.push_back(decisive().observations.groups[i].name);
+  for (const std::size_t i : order) names.push_back(primary().samples.groups[i].name);
   return names;
 }
 
-std::vector<Doubt> Answer::all_warnings() const {
-  std::vector<Doubt> all = doubts;
+std::vector<Warning> ReportModel::all_warnings() const {
+  std::vector<Warning> all = warnings;
   for (const JudgedMetric& judged : metrics) {
-    for (const Doubt& doubt : judged.observations.doubts) {
-      const auto known = std::ranges::find_if(all, [&](const Doubt& other) {
-        const bool is_one = other.who == doubt.who && other.count == doubt.count && other.of == doubt.of,
-                   is_of_clock = doubt.kind == WarningKind::time_limit_decides && other.what == doubt.what;
-        return other.kind == doubt.kind && (is_one || is_of_clock);
+    for (const Warning& warning : judged.samples.warnings) {
+      const auto known = std::ranges::find_if(all, [&](const Warning& other) {
+        const bool is_one =
+                       other.solvers == warning.solvers && other.count == warning.count && other.total == warning.total,
+                   is_of_clock = warning.kind == WarningKind::time_limit_decides && other.detail == warning.detail;
+        return other.kind == warning.kind && (is_one || is_of_clock);
       });
       if (known == all.end())
-        all.push_back(doubt);
-      else if (known->what != doubt.what)
-        known->what += ", " + doubt.what;
-      else if (known->who.size() < doubt.who.size())  // of shares the clock names fewer
-        *known = doubt;
+        all.push_back(warning);
+      else if (known->detail != warning.detail)
+        known->detail += ", " + warning.detail;
+      else if (known->solvers.size() < warning.solvers.size())  // of shares the clock names fewer
+        *known = warning;
     }
   }
-  std::ranges::stable_sort(all, {}, &Doubt::kind);
+  std::ranges::stable_sort(all, {}, &Warning::kind);
   return all;
 }
 
-Answer answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
+ReportModel answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
   const auto decisive = metrics.begin() + static_cast<std::ptrdiff_t>(deciding);
   std::rotate(metrics.begin(), decisive, decisive + 1);
-  Answer answer{.metrics = std::move(metrics)};
-  answer.order = display_order(answer.decisive(), answer.metrics);
+  ReportModel answer{.metrics = std::move(metrics)};
+  answer.order = display_order(answer.primary(), answer.metrics);
   for (JudgedMetric& judged : answer.metrics) {
-    if (is_share(judged)) judged = in_unit(std::move(judged), 100, "%");
+    if (is_success_rate(judged)) judged = in_unit(std::move(judged), 100, "%");
     std::map<std::string_view, std::size_t> places;
     for (const std::size_t i : display_order(judged, answer.metrics))
-      places.emplace(judged.observations.groups[i].name, places.size());
+      places.emplace(judged.samples.groups[i].name, places.size());
     std::multimap<std::pair<std::size_t, std::size_t>, Comparison> by_place;  // many pairs: a sort would look names up
-    for (Comparison& its : judged.findings) {
+    for (Comparison& its : judged.comparisons) {
       const std::size_t first = places.at(its.first), second = places.at(its.second);
       by_place.emplace(std::minmax(first, second), better_first(std::move(its), judged.plan.control, second < first));
     }
-    auto next = judged.findings.begin();
+    auto next = judged.comparisons.begin();
     for (auto& [place, its] : by_place) *next++ = std::move(its);
   }
   return answer;
 }
 
-Answer answer_of(const JudgedStudy& judged) {
-  Answer all = answer_of(judged.metrics, judged.deciding);
-  all.doubts = judged.doubts;
-  if (all.decisive().observations.measures == QuantityKind::solved) all.then = judged.study.definition.plan.then;
-  const std::string solved = what_is_solved(judged.study), &name = judged.study.name;
-  all.studied = fmt::format("{}{}. A solve ends at {}.", solved.starts_with(name + ",") ? "" : name + ": ", solved,
-                            budget_text(judged.study));
-  all.more = {{"Control loop", loop_table(judged.study, all.solvers())},
-              {"Beside another machine", beside_table(judged.study, all.solvers())},
-              {"In batches", batches_table(judged.study)}};
+ReportModel answer_of(const JudgedStudy& judged) {
+  ReportModel all = answer_of(judged.metrics, judged.primary);
+  all.warnings = judged.warnings;
+  if (all.primary().samples.quantity_kind == QuantityKind::solved)
+    all.tie_breakers = judged.study.definition.plan.tie_breakers;
+  const std::string solved = study_text(judged.study), &name = judged.study.name;
+  all.study_text = fmt::format("{}{}. A solve ends at {}.", solved.starts_with(name + ",") ? "" : name + ": ", solved,
+                               budget_text(judged.study));
+  all.extra_tables = {{"Control loop", loop_table(judged.study, all.solvers())},
+                      {"Beside another machine", beside_table(judged.study, all.solvers())},
+                      {"In batches", batches_table(judged.study)}};
   const results::StudyDefinition& definition = judged.study.definition;
   const bool are_runs = definition.compares_runs();
   all.noun = are_runs ? "runs" : "targets";
@@ -199,52 +201,53 @@ Answer answer_of(const JudgedStudy& judged) {
     all.notes.push_back(
         fmt::format("Each {} is the mean of its {}.", are_runs ? "run" : "target", are_runs ? "targets" : "runs"));
   for (JudgedMetric& metric : all.metrics) {
-    const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
+    const auto [unit, factor] = figures::drawn_unit(judged.study, metric.samples.unit);
     if (factor != 1) metric = in_unit(std::move(metric), factor, unit);
   }
-  const auto is_of_time = [](const JudgedMetric& metric) { return metric.observations.measures == QuantityKind::time; };
-  if (std::ranges::any_of(judged.metrics, is_of_time) && std::ranges::any_of(judged.study.solves, &Solve::is_told))
+  const auto is_of_time = [](const JudgedMetric& metric) { return metric.samples.quantity_kind == QuantityKind::time; };
+  if (std::ranges::any_of(judged.metrics, is_of_time) &&
+      std::ranges::any_of(judged.study.solves, &SolveSummary::is_self_timed))
     all.notes.emplace_back("Times of programs are told by them.");
-  all.faults = rejections_text(judged.study);
-  for (const std::string& note : {failure_reasons_text(judged.study), all.faults})
+  all.rejections_text = rejections_text(judged.study);
+  for (const std::string& note : {failure_reasons_text(judged.study), all.rejections_text})
     if (!note.empty()) all.notes.push_back(note);
   return all;
 }
 
-std::string observation_noun(const Answer& answer, const JudgedMetric& judged) {
-  return judged.observations.measures == QuantityKind::time ? "sessions" : answer.noun;
+std::string observation_noun(const ReportModel& answer, const JudgedMetric& judged) {
+  return judged.samples.quantity_kind == QuantityKind::time ? "sessions" : answer.noun;
 }
 
-bool has_failed(const StudyResults& study, const Solve& solve) {
-  return study.definition.has_tolerance() ? solve.status != results::Status::ok : !gave_answer(solve);
+bool has_failed(const StudyResults& study, const SolveSummary& solve) {
+  return study.definition.has_tolerance() ? solve.status != results::Status::ok : !has_answer(solve);
 }
 
-std::string reference_of(const Answer& answer) {
-  const JudgedMetric& decisive = answer.decisive();
+std::string reference_of(const ReportModel& answer) {
+  const JudgedMetric& decisive = answer.primary();
   if (!decisive.plan.control.empty()) return decisive.plan.control;
-  return decisive.observations.groups[answer.order[0]].name;
+  return decisive.samples.groups[answer.order[0]].name;
 }
 
-Shown displayed_average(const JudgedMetric& judged, std::size_t group) {
-  return shown(judged, group, average_of(judged, group));
+BoundedValue displayed_average(const JudgedMetric& judged, std::size_t group) {
+  return displayed(judged, group, average_of(judged, group));
 }
 
-Shown shown(const JudgedMetric& judged, std::size_t group, double value) {
-  const MetricSamples& observed = judged.observations;
-  const double at_most = observed.groups[group].at_most;
-  const auto is_ratio = [](const Comparison& finding) {
-    return finding.scale == EffectScale::ratio && finding.amount.has_value();
+BoundedValue displayed(const JudgedMetric& judged, std::size_t group, double value) {
+  const MetricSamples& samples = judged.samples;
+  const double at_most = samples.groups[group].tolerance;
+  const auto is_ratio = [](const Comparison& comparison) {
+    return comparison.scale == EffectScale::ratio && comparison.estimate.has_value();
   };
-  if (std::isfinite(value) && value < observed.floor && !observed.is_log_scale &&
-      std::ranges::any_of(judged.findings, is_ratio))
-    return {observed.floor, true};
+  if (std::isfinite(value) && value < samples.floor && !samples.is_log_scale &&
+      std::ranges::any_of(judged.comparisons, is_ratio))
+    return {samples.floor, true};
   return {value, at_most > 0 && value == at_most};
 }
 
 std::vector<double> percent_boundaries(const JudgedMetric& judged) {
-  return is_share(judged) ? std::vector<double>{0, 100} : std::vector<double>();
+  return is_success_rate(judged) ? std::vector<double>{0, 100} : std::vector<double>();
 }
 
-bool is_share(const JudgedMetric& judged) { return judged.observations.scale == EffectScale::share; }
+bool is_success_rate(const JudgedMetric& judged) { return judged.samples.scale == EffectScale::share; }
 
 }  // namespace ikbench::show

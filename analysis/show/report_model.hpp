@@ -11,47 +11,47 @@
 
 namespace ikbench::show {
 
-struct Answer {
+struct ReportModel {
   std::vector<judge::JudgedMetric> metrics;  // first that of the headline
   std::vector<std::size_t> order;            // its groups, best first
-  std::vector<judge::Doubt> doubts;          // of all
+  std::vector<judge::Warning> warnings;      // of all
   std::string noun = "values";               // what observations are
   std::string within = {};                   // " within 1 ms", where time alone ends what is not solved
   std::size_t named_metrics = 1;             // that share the significance: those that the plan names
   std::vector<std::string> notes;            // of the table of results
-  std::string studied = {};                  // of a study: what its solvers did, and when a solve ended, as sentences
-  std::string faults = {};                   // of answers that the study's check refused; empty: none
+  std::string study_text = {};               // of a study: what its solvers did, and when a solve ended, as sentences
+  std::string rejections_text = {};          // of answers that the study's check refused; empty: none
   std::string verdict = {};    // of `compare`, in place of the headline; labels and metrics share its significance
   std::string direction = {};  // of a file: "smaller is better"
-  std::vector<std::string> then = {};  // of a study that asks first what is solved: its plan's
+  std::vector<std::string> tie_breakers = {};  // of a study that asks first what is solved: its plan's
   // Of a study, with their headings: a control loop; times, of another machine too, and in batches. Without rows if it
   // has none.
-  std::vector<std::pair<std::string, Table>> more = {};
+  std::vector<std::pair<std::string, Table>> extra_tables = {};
 
-  const judge::JudgedMetric& decisive() const { return metrics.front(); }
+  const judge::JudgedMetric& primary() const { return metrics.front(); }
   std::vector<std::string> solvers() const;  // in the order
   // Those of all and of each metric, each once; what several metrics have alike, as one.
-  std::vector<judge::Doubt> all_warnings() const;
+  std::vector<judge::Warning> all_warnings() const;
 };
 
 // Shares in percent; of studies times in ms, and errors in mm, but in cm where a paper's study is repeated. With a
 // control it is the second of each pair.
-Answer answer_of(std::vector<judge::JudgedMetric> metrics, std::size_t deciding = 0);
-Answer answer_of(const judge::JudgedStudy& judged);
+ReportModel answer_of(std::vector<judge::JudgedMetric> metrics, std::size_t deciding = 0);
+ReportModel answer_of(const judge::JudgedStudy& judged);
 
-bool is_share(const judge::JudgedMetric& judged);
+bool is_success_rate(const judge::JudgedMetric& judged);
 // A group's average as readers see it: at most the tolerance, or the floor that ratios know nothing below.
-struct Shown {
+struct BoundedValue {
   double value;
   bool is_bound = false;
 };
-Shown shown(const judge::JudgedMetric& judged, std::size_t group, double value);
-Shown displayed_average(const judge::JudgedMetric& judged, std::size_t group);  // by which it is tested
-std::vector<double> percent_boundaries(const judge::JudgedMetric& judged);      // 99.97 % is not 100; of others none
+BoundedValue displayed(const judge::JudgedMetric& judged, std::size_t group, double value);
+BoundedValue displayed_average(const judge::JudgedMetric& judged, std::size_t group);  // by which it is tested
+std::vector<double> percent_boundaries(const judge::JudgedMetric& judged);  // 99.97 % is not 100; of others none
 
 // What observations of a metric are: "targets", of time "sessions".
-std::string observation_noun(const Answer& answer, const judge::JudgedMetric& judged);
-bool has_failed(const judge::StudyResults& study, const judge::Solve& solve);  // without a tolerance: to answer
-std::string reference_of(const Answer& answer);  // the control, else the first of the table of results
+std::string observation_noun(const ReportModel& answer, const judge::JudgedMetric& judged);
+bool has_failed(const judge::StudyResults& study, const judge::SolveSummary& solve);  // without a tolerance: to answer
+std::string reference_of(const ReportModel& answer);  // the control, else the first of the table of results
 
 }  // namespace ikbench::show

@@ -33,25 +33,27 @@ constexpr Format of_screen{one_line}, of_markdown{markdown_text},
 // A cell for readers, without what stands around its number.
 struct Plain {
   const Column& column;
-  std::string unit = column.unit_of_cells.empty() ? "" : ' ' + column.unit_of_cells;
+  std::string unit = column.cell_unit.empty() ? "" : ' ' + column.cell_unit;
 
   std::string operator()(std::monostate) const { return "-"; }
   std::string operator()(const MissingCell&) const { return "-"; }
-  std::string operator()(const VerdictCell& judgement) const { return judgement.words; }
+  std::string operator()(const VerdictCell& judgement) const { return judgement.text; }
   std::string operator()(const std::string& text) const { return text; }
   std::string operator()(std::int64_t count) const { return fmt::to_string(count) + unit; }
   std::string operator()(double value) const { return number(value, 3); }
-  std::string operator()(const judge::Interval& interval) const { return interval_text(interval, column.ends) + unit; }
-  std::string operator()(const Printed& printed) const {
+  std::string operator()(const judge::Interval& interval) const {
+    return interval_text(interval, column.boundaries) + unit;
+  }
+  std::string operator()(const PublishedNumber& printed) const {
     return printed.printed + (printed.sign.empty() ? "" : ' ' + printed.sign);
   }
   std::string operator()(const ValueCell& marked) const {
-    if (marked.to_reference == judge::EffectScale::ratio) return times(marked.value);
-    return (marked.to_reference && marked.value > 0 ? "+" : "") + number(marked.value, marked.digits);
+    if (marked.relative_to_reference == judge::EffectScale::ratio) return ratio_text(marked.value);
+    return (marked.relative_to_reference && marked.value > 0 ? "+" : "") + number(marked.value, marked.digits);
   }
   std::string number(double value, int digits) const {
-    const std::string text =
-        column.role == ColumnRole::p ? p_text(value, column.ends) : number_within(value, column.ends, digits);
+    const std::string text = column.role == ColumnRole::p ? p_text(value, column.boundaries)
+                                                          : number_within(value, column.boundaries, digits);
     return text == "-" ? text : text + unit;
   }
 };
@@ -82,18 +84,18 @@ bool has(const Table& table, std::size_t column, auto is_so) {
 }
 const std::string* text_of(const Cell& cell) {
   const auto* const judgement = std::get_if<VerdictCell>(&cell);
-  return judgement ? &judgement->words : std::get_if<std::string>(&cell);
+  return judgement ? &judgement->text : std::get_if<std::string>(&cell);
 }
 bool is_text(const Cell& cell) { return text_of(cell) != nullptr; }
-bool is_printed(const Cell& cell) { return std::holds_alternative<Printed>(cell); }
+bool is_printed(const Cell& cell) { return std::holds_alternative<PublishedNumber>(cell); }
 const ValueCell& marked_of(const Cell& cell) {
   static const ValueCell none{};
   const auto* const marked = std::get_if<ValueCell>(&cell);
   return marked ? *marked : none;
 }
-bool is_ratio(const Cell& cell) { return marked_of(cell).to_reference == judge::EffectScale::ratio; }
+bool is_ratio(const Cell& cell) { return marked_of(cell).relative_to_reference == judge::EffectScale::ratio; }
 // As readers see it: with the decimals of the printed where three digits would round it onto an end.
-ValueCell ours_of(const Printed& cell, const Boundaries& ends) {
+ValueCell ours_of(const PublishedNumber& cell, const Boundaries& ends) {
   if (number_within(cell.ours, ends) == number_text(cell.ours)) return {.value = cell.ours};
   const std::size_t point = std::min(cell.printed.find('.') + 1, cell.printed.size());
   const double digits = std::floor(std::log10(std::abs(cell.ours))) + 1 +
@@ -109,14 +111,14 @@ std::string head(const Column& column) {
 // ratios, the unit at the other numbers.
 Table for_readers(Table table) {
   for (std::size_t c = table.columns.size(); c-- > 0;) {
-    if (has(table, c, is_ratio)) table.columns[c].unit_of_cells = std::exchange(table.columns[c].unit, "");
+    if (has(table, c, is_ratio)) table.columns[c].cell_unit = std::exchange(table.columns[c].unit, "");
     if (has(table, c, is_printed)) {
       const auto next = static_cast<std::ptrdiff_t>(c + 1);
       table.columns.insert(table.columns.begin() + next, {"printed"});
       for (auto& row : table.rows) {
-        const auto* const its = std::get_if<Printed>(&row[c]);
+        const auto* const its = std::get_if<PublishedNumber>(&row[c]);
         Cell printed = its ? Cell(*its) : Cell();
-        if (its) row[c] = ours_of(*its, table.columns[c].ends);
+        if (its) row[c] = ours_of(*its, table.columns[c].boundaries);
         row.insert(row.begin() + next, std::move(printed));
       }
     }
@@ -125,7 +127,7 @@ Table for_readers(Table table) {
       return std::holds_alternative<std::monostate>(row[c]) || std::holds_alternative<MissingCell>(row[c]) ||
              (text && text->empty());
     };
-    const bool is_remark = table.columns[c].role == ColumnRole::remark;
+    const bool is_remark = table.columns[c].role == ColumnRole::machine_only;
     if (!is_remark && (table.rows.empty() || !std::ranges::all_of(table.rows, is_empty))) continue;
     const auto at = static_cast<std::ptrdiff_t>(c);
     table.columns.erase(table.columns.begin() + at);
@@ -160,10 +162,10 @@ std::map<std::string_view, Json> members(const Cell& cell) {
     all[""] = judgement->key;
   if (const auto* const count = std::get_if<std::int64_t>(&cell)) all[""] = *count;
   if (const auto* const plain = std::get_if<double>(&cell)) all[""] = base::json_of(*plain);
-  if (const auto* const printed = std::get_if<Printed>(&cell))
+  if (const auto* const printed = std::get_if<PublishedNumber>(&cell))
     all[""] = base::json_of(printed->ours), all["printed"] = printed->printed;
   if (std::holds_alternative<ValueCell>(cell))
-    all[is_ratio(cell) ? its_times : marked.to_reference ? "difference" : ""] = base::json_of(marked.value);
+    all[is_ratio(cell) ? its_times : marked.relative_to_reference ? "difference" : ""] = base::json_of(marked.value);
   if (spread) all["low"] = base::json_of(spread->low), all["high"] = base::json_of(spread->high);
   if (marked.sd) all["sd"] = base::json_of(*marked.sd);
   if (interval && (interval->excludes_low || interval->excludes_high))
@@ -202,7 +204,7 @@ std::vector<Flat> flat(const Table& table) {
 
 }  // namespace
 
-std::vector<Column> columns_of(const std::vector<std::string>& names) {
+std::vector<Column> named_columns(const std::vector<std::string>& names) {
   std::vector<Column> columns;
   for (const std::string& name : names) columns.push_back({name});
   return columns;
@@ -326,7 +328,7 @@ std::string to_text(const Table& whole) {
   constexpr std::size_t longest = 60;
   for (Column& column : table.columns) {
     column.name = shortened(column.name, longest);
-    if (!column.unit.empty()) column.unit_of_cells = std::exchange(column.unit, "");
+    if (!column.unit.empty()) column.cell_unit = std::exchange(column.unit, "");
   }
   std::set<std::string> names;
   for (const auto& row : table.rows)
@@ -334,8 +336,8 @@ std::string to_text(const Table& whole) {
   const auto short_of = base::short_names({names.begin(), names.end()});
   for (auto& row : table.rows)
     if (is_text(row[0])) row[0] = short_of.at(*text_of(row[0]));
-  std::string text = in_columns(readable(table, of_screen));
-  for (const std::string& note : table.notes) text += paragraph(note, "");
+  std::string text = align_columns(readable(table, of_screen));
+  for (const std::string& note : table.notes) text += wrapped_paragraph(note, "");
   return text;
 }
 

@@ -16,7 +16,7 @@
 namespace ikbench::show {
 
 // Our number beside a printed one; a column of such cells is two for readers.
-struct Printed {
+struct PublishedNumber {
   double ours;
   std::string printed;
   std::string sign = {};  // "~", "x" or "?": whether ours can be it
@@ -30,44 +30,44 @@ struct ValueCell {
   bool is_bound = false;
   std::optional<judge::Interval> interval = {};
   std::optional<double> sd = {};
-  std::optional<judge::EffectScale> to_reference = {};
+  std::optional<judge::EffectScale> relative_to_reference = {};
   int digits = 3;
 };
 // Why a number is not known: "too few to compare".
 struct MissingCell {
-  std::string why;
+  std::string reason;
 };
 // What was found, which a page colours.
 enum class Tone { neutral, good, bad };
 struct VerdictCell {
-  std::string words;
+  std::string text;
   Tone tone = Tone::neutral;
   std::string key = {};  // in place of the words, in files of numbers
 };
 // Readers see three digits, and "-" for an empty cell (std::monostate), an absent number and one that is not finite.
-using Cell = std::variant<std::monostate, std::string, std::int64_t, double, judge::Interval, Printed, ValueCell,
-                          MissingCell, VerdictCell>;
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double, judge::Interval, PublishedNumber,
+                          ValueCell, MissingCell, VerdictCell>;
 
 inline Cell text_cell(std::string text) { return text.empty() ? Cell() : Cell(std::move(text)); }
 
 // What a column is, which writers ask, whatever its name says.
 enum class ColumnRole {
   value,
-  p,         // p-values: "0.0005", "< 0.0001"
-  interval,  // of the number before it: files of numbers have "low", "high" and "excluded"
-  remark     // which only files of numbers have
+  p,            // p-values: "0.0005", "< 0.0001"
+  interval,     // of the number before it: files of numbers have "low", "high" and "excluded"
+  machine_only  // which only files of numbers have
 };
 
 struct Column {
   std::string name;
   std::string unit = {};
   ColumnRole role = ColumnRole::value;
-  std::string unit_of_cells = {};  // beside each number that is no ratio, in place of the head
-  std::vector<double> ends = {};   // onto which no number is rounded (number_within of text.hpp)
+  std::string cell_unit = {};           // beside each number that is no ratio, in place of the head
+  std::vector<double> boundaries = {};  // onto which no number is rounded (number_within of text.hpp)
 };
 
 // Columns with nothing but names.
-std::vector<Column> columns_of(const std::vector<std::string>& names);
+std::vector<Column> named_columns(const std::vector<std::string>& names);
 
 struct Table {
   std::string name;  // of its files and anchor, with a number perhaps; empty: it has none
@@ -75,8 +75,9 @@ struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows = {};
   std::vector<std::string> notes = {};
-  bool is_of_study = true;                                     // and of no other, so that an article's caption names it
-  std::size_t told = std::numeric_limits<std::size_t>::max();  // rows; a page folds the others, articles lack them
+  bool is_of_study = true;  // and of no other, so that an article's caption names it
+  std::size_t visible_rows =
+      std::numeric_limits<std::size_t>::max();  // rows; a page folds the others, articles lack them
 };
 
 // "0.1 to 0.8", "above 0 to 0.8"

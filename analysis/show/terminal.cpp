@@ -16,7 +16,7 @@ namespace ikbench::show {
 
 using namespace judge;
 
-std::string screen(const Answer& answer, const std::string& page) {
+std::string terminal_report(const ReportModel& answer, const std::string& page) {
   constexpr std::size_t most_rows = 20;
   const auto short_of = base::short_names(answer.solvers());
   const auto with_short_names = [&](std::string text) {
@@ -41,7 +41,7 @@ std::string screen(const Answer& answer, const std::string& page) {
   std::string notes = fmt::format("{}", fmt::join(std::exchange(table.notes, {}), " "));
   if (const std::string decides = ranking_note(answer); !decides.empty())
     notes += fmt::format("{}{}.", notes.empty() ? "" : " ", decides);
-  std::string text = paragraph(with_short_names(headline(answer)), "") + '\n';
+  std::string text = wrapped_paragraph(with_short_names(headline(answer)), "") + '\n';
   const auto add = [&](Table its) {
     for (auto& row : its.rows)
       for (Cell& cell : row)
@@ -50,26 +50,26 @@ std::string screen(const Answer& answer, const std::string& page) {
   };
   add(std::move(table));
   text += more_solvers;
-  if (!notes.empty()) text += paragraph(with_short_names(notes), "");
-  if (!answer.faults.empty()) text += paragraph("! " + with_short_names(answer.faults), "  ");
-  for (auto [heading, more] : answer.more) {
+  if (!notes.empty()) text += wrapped_paragraph(with_short_names(notes), "");
+  if (!answer.rejections_text.empty()) text += wrapped_paragraph("! " + with_short_names(answer.rejections_text), "  ");
+  for (auto [heading, more] : answer.extra_tables) {
     if (more.rows.empty()) continue;
     text += fmt::format("\n{}\n", more.caption);
     const std::string left_out = cut(more);
     add(more);
     text += left_out + '\n';
   }
-  if (page.empty() && answer.decisive().findings.size() <= max_pairs)
+  if (page.empty() && answer.primary().comparisons.size() <= max_pairs)
     if (Table pairs = tested_pairs_table(answer); !pairs.rows.empty()) add(std::move(pairs));
-  const std::vector<Doubt> doubts = answer.all_warnings();  // in the order of their kinds
-  for (const Doubt& doubt : doubts) {
-    const bool is_told = !page.empty() && std::any_of(doubts.data(), &doubt,
-                                                      [&](const Doubt& other) { return other.kind == doubt.kind; });
-    const auto alike = std::ranges::count(doubts, doubt.kind, &Doubt::kind);
+  const std::vector<Warning> warnings = answer.all_warnings();  // in the order of their kinds
+  for (const Warning& warning : warnings) {
+    const bool is_told = !page.empty() && std::any_of(warnings.data(), &warning,
+                                                      [&](const Warning& other) { return other.kind == warning.kind; });
+    const auto alike = std::ranges::count(warnings, warning.kind, &Warning::kind);
     if (is_told) continue;  // on the page
-    text += paragraph("! " + with_short_names(words_of(doubt)) +
-                          (page.empty() || alike == 1 ? "" : fmt::format("; {} more on the page", alike - 1)),
-                      "  ");
+    text += wrapped_paragraph("! " + with_short_names(warning_text(warning)) +
+                                  (page.empty() || alike == 1 ? "" : fmt::format("; {} more on the page", alike - 1)),
+                              "  ");
   }
   return page.empty() ? text : fmt::format("{}Report: {}\n", text, one_line(page));
 }

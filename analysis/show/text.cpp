@@ -41,7 +41,7 @@ void narrow(std::vector<std::size_t>& widths, const Rows& rows, std::size_t gap,
   std::vector<std::size_t> least(widths.size(), 1);
   for (const auto& row : rows) {
     for (std::size_t c = 0; c < row.size(); ++c) {
-      for (const std::string& word : broken(row[c], 1, 1)) least[c] = std::max(least[c], character_count(word));
+      for (const std::string& word : wrap_words(row[c], 1, 1)) least[c] = std::max(least[c], character_count(word));
     }
   }
   const std::size_t gaps = gap * (widths.size() - std::min<std::size_t>(widths.size(), 1));
@@ -111,7 +111,7 @@ std::string number_text(double value, int digits) {
   return is_long ? fmt::format("{:.0f}", value) : text;
 }
 
-std::string times(double ratio) { return number_text(ratio, std::abs(ratio - 1) < 0.1 ? 3 : 2) + " times"; }
+std::string ratio_text(double ratio) { return number_text(ratio, std::abs(ratio - 1) < 0.1 ? 3 : 2) + " times"; }
 
 std::string number_within(double value, const Boundaries& ends, int digits) {
   const std::string text = number_text(value, digits);
@@ -129,7 +129,7 @@ std::string as_sentence(std::string text) {
   return text;
 }
 
-std::vector<std::string> broken(std::string_view text, std::size_t first, std::size_t others) {
+std::vector<std::string> wrap_words(std::string_view text, std::size_t first, std::size_t others) {
   std::vector<std::string> lines{""};
   std::size_t used = 0;
   for (std::size_t at = 0; at <= text.size();) {
@@ -150,7 +150,7 @@ std::vector<std::string> broken(std::string_view text, std::size_t first, std::s
   return lines;
 }
 
-std::string in_columns(const Rows& rows, std::size_t gap, std::size_t width) {
+std::string align_columns(const Rows& rows, std::size_t gap, std::size_t width) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
@@ -164,7 +164,7 @@ std::string in_columns(const Rows& rows, std::size_t gap, std::size_t width) {
     std::vector<std::vector<std::string>> cells;
     std::size_t lines = 1;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      lines = std::max(lines, cells.emplace_back(broken(row[c], widths[c], widths[c])).size());
+      lines = std::max(lines, cells.emplace_back(wrap_words(row[c], widths[c], widths[c])).size());
     }
     for (std::size_t line = 0; line < lines; ++line) {
       std::size_t missing = 0;  // blanks before the next cell
@@ -179,10 +179,10 @@ std::string in_columns(const Rows& rows, std::size_t gap, std::size_t width) {
   return text;
 }
 
-std::string paragraph(const std::string& text, const std::string& indent, const std::string& first) {
+std::string wrapped_paragraph(const std::string& text, const std::string& indent, const std::string& first) {
   constexpr std::size_t width = 100;
   std::string lines;
-  for (const std::string& line : broken(one_line(text), width - character_count(first), width - indent.size()))
+  for (const std::string& line : wrap_words(one_line(text), width - character_count(first), width - indent.size()))
     lines += (lines.empty() ? first : indent) + line + '\n';
   return lines;
 }

@@ -74,7 +74,7 @@ std::optional<JudgedMetric> by_runs(const JudgedStudy& judged, std::string_view 
   const JudgedMetric* const its = find_metric(judged, column);
   if (its == nullptr) return {};
   const Metric& metric = metric_named(column);
-  return is_of_times(metric) ? judge::judge(judge::make_samples_by_target(judged.study, metric), its->plan) : *its;
+  return is_time_metric(metric) ? judge::judge(judge::make_samples_by_target(judged.study, metric), its->plan) : *its;
 }
 
 PrintedRows in_print(std::string_view column) {
@@ -113,7 +113,7 @@ std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
                     drawn.name, average));
     if (metric.column == error) about.floor = 0.00005;  // errors are printed with four decimals
     std::vector<BoxRow> boxed =
-        box_rows(values->observations, drawn_unit(study, values->observations.unit), drawn_solvers(study, look), look);
+        box_rows(values->samples, drawn_unit(study, values->samples.unit), drawn_solvers(study, look), look);
     const PrintedRows printed = in_print(metric.column);
     for (BoxRow& row : boxed)
       if (const auto* const its = row_of(printed, row.label))
@@ -155,9 +155,9 @@ Table table_1(const StudyResults& study) {
     const auto series = std::ranges::find(study.series, printed.cell(row, 0), &results::Series::label);
     if (series == study.series.end()) continue;
     const base::Json used = base::parsed_json(series->options);
-    table.rows.push_back(
-        {series->label, std::string(printed.cell(row, 1)),
-         show::Printed{used.value(std::string(printed.cell(row, 2)), unknown), std::string(printed.cell(row, 3))}});
+    table.rows.push_back({series->label, std::string(printed.cell(row, 1)),
+                          show::PublishedNumber{used.value(std::string(printed.cell(row, 2)), unknown),
+                                                std::string(printed.cell(row, 3))}});
   }
   return table;
 }
@@ -174,8 +174,8 @@ Table table_2(const StudyResults& study) {
     if (row == printed.rows()) break;
     std::vector<Cell>& cells = table.rows.emplace_back(std::vector<Cell>{static_cast<std::int64_t>(row + 1)});
     for (const auto& [key, column] : {std::pair("alpha_deg", 1U), {"a_m", 2U}, {"d_m", 3U}})
-      cells.push_back(show::Printed{link.value(key, unknown), std::string(printed.cell(row, column))});
-    cells.push_back(show::Printed{link.at("limits_deg").at(1), std::string(printed.cell(row, 4))});
+      cells.push_back(show::PublishedNumber{link.value(key, unknown), std::string(printed.cell(row, column))});
+    cells.push_back(show::PublishedNumber{link.at("limits_deg").at(1), std::string(printed.cell(row, 4))});
   }
   return table;
 }
@@ -216,7 +216,7 @@ std::vector<Table> anova_tables(const Repeated& repeated) {
                                                          with(repeated.reading()), name, metric_named(column).unit),
                                   .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
     const CsvTable printed = results::published::table(repeated.paper.name, number);
-    const std::vector<OmnibusTest> tests = judge::anova(judged->observations);
+    const std::vector<OmnibusTest> tests = judge::anova(judged->samples);
     if (tests.empty()) table.notes.emplace_back("Ours is not tested: values are missing, or not comparable.");
     const OmnibusTest ours = tests.empty() ? OmnibusTest() : tests.front();
     const double between = ours.ss_between, within = ours.ss_within;
@@ -245,7 +245,7 @@ std::optional<Table> table_7(const StudyResults& study) {
   for (const std::string& solver : study.labels) {
     std::int64_t reached = 0, in_time = 0;  // wherever the joints are
     std::vector<double> ms, iterations;
-    for (const Solve& solve : study.of(solver)) {
+    for (const SolveSummary& solve : study.of(solver)) {
       ms.push_back(1000 * solve.seconds);
       iterations.push_back(static_cast<double>(solve.iterations));
       const bool is_near = solve.position_error_cm <= tolerance + verifier_rounding_cm;
@@ -255,8 +255,8 @@ std::optional<Table> table_7(const StudyResults& study) {
     auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(ms), reached, in_time});
     const PrintedRow* const its = row_of(printed, solver);
     for (std::size_t s = 0; s < statistics.size(); ++s)
-      row.push_back(beside(described(ms).*statistics[s].of, its ? its->digits[s] : ""));
-    row.emplace_back(described(iterations).median);
+      row.push_back(beside(describe_values(ms).*statistics[s].of, its ? its->digits[s] : ""));
+    row.emplace_back(describe_values(iterations).median);
   }
   return table;
 }

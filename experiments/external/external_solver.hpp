@@ -24,16 +24,16 @@ struct ProcessReport {
   std::optional<results::Status> failure;
   double cpu_seconds = 0;  // of the program
   solvers::StopReason stopped = solvers::StopReason::finished;
-  bool went_on = false;  // it asked for more evaluations after it was told that its budget is used up
+  bool ignored_budget = false;  // it asked for more evaluations after it was told that its budget is used up
   // Who counted the evaluations. Not `suite` if the answer is none of the candidates evaluated here, or too few were
   // evaluated to find it: then the program has its own kinematics, and `evaluations` is its own count.
   results::CountedBy counted_by = results::CountedBy::nobody;
   std::int64_t evaluations = 0, iterations = 0;
   std::vector<double> trace = {};  // errors of the evaluations made here, as in Solution
   solvers::Improvements improved = {};
-  double claimed_error = std::numeric_limits<double>::quiet_NaN();  // [m], self-reported
-  double claimed_seconds = std::numeric_limits<double>::quiet_NaN();
-  int together = 1;    // size of its batch, by which times are divided
+  double reported_error = std::numeric_limits<double>::quiet_NaN();  // [m], self-reported
+  double reported_seconds = std::numeric_limits<double>::quiet_NaN();
+  int batch_size = 1;  // size of its batch, by which times are divided
   double seconds = 0;  // [s] of the wall time of a batch
 };
 
@@ -47,11 +47,11 @@ struct WorkerProcess {
   int failures_in_a_row = 0;
   std::string last_failure = {};      // "crashed: it ended (exit code 3); its last words: ..."; empty: none so far
   std::set<std::string> extras = {};  // names
-  std::optional<ProcessFailure> refusal = {};  // set if the program is given up
+  std::optional<ProcessFailure> given_up = {};  // set if the program is given up
   // A batch: its problems, as their messages; the answer to each, nothing if it failed; and the report that they share.
   std::vector<std::string> batch = {};
   std::map<std::string, std::optional<Message>> answers = {};
-  ProcessReport each = {};
+  ProcessReport batch_report = {};
   bool has_answers() const { return !answers.empty() && answers.begin()->second; }
 };
 
@@ -69,8 +69,8 @@ class ProcessPool {
   ProcessPool(std::shared_ptr<const Program> its_program, std::string its_robot)
       : program(std::move(its_program)), robot(std::move(its_robot)) {}
 
-  WorkerProcess take();
-  void give_back(WorkerProcess conversation);
+  WorkerProcess acquire();
+  void release(WorkerProcess conversation);
   std::string last_failure() const;  // the last failure of an idle process
   void end_processes();              // ends idle processes; a program that is given up stays so
 
@@ -87,43 +87,43 @@ class ProcessPool {
 class ExternalSolver final : public solvers::Searcher {
  public:
   ExternalSolver(ProcessPool& all, const solvers::StopRule& stop)  // both outlive it
-      : all_(all), stop_(stop), own_(all.take()) {}
-  ~ExternalSolver() override { all_.give_back(std::move(own_)); }
+      : pool_(all), stop_(stop), worker_(all.acquire()) {}
+  ~ExternalSolver() override { pool_.release(std::move(worker_)); }
 
   // Sends the next batch in one message, always again; returns false if it failed. With a batch, `start` gives the
   // answer that came for the problem. If none was asked for, `start` puts the problem into the next batch.
-  bool ask();
+  bool send_batch();
   void clear_batch();
   // Starts the process if there is none, and warms it up; does nothing with batches. Call it before the clock starts.
   void prepare(const solvers::Problem& problem, const solvers::Objective& objective);
   void start(const solvers::Problem& problem, solvers::Objective& objective, numerics::Random& random) override;
   void step(solvers::Objective&, numerics::Random&) override {}
   bool finished() const override { return true; }
-  const ProcessReport& account() const { return account_; }
-  bool is_given_up() const { return own_.refusal.has_value(); }
+  const ProcessReport& report() const { return report_; }
+  bool is_given_up() const { return worker_.given_up.has_value(); }
   // Counts a failure. Call it after a solve that counts: its failure becomes the last one of all, and the third in a
   // row gives the program up.
   void count_failure();
 
  private:
   template <class Talk>
-  void guarded(Talk&& talk);  // a Trouble becomes the account's failure
-  bool ensure_running();      // true if the process is new
-  void note(const ProcessFailure& trouble);
+  void with_failure_handling(Talk&& talk);  // a Trouble becomes the account's failure
+  bool ensure_running();                    // true if the process is new
+  void record_failure(const ProcessFailure& trouble);
   Clock::time_point deadline(double problems) const;
-  robots::Configuration nearest(const robots::Candidates& answers, const solvers::Problem& problem,
-                                solvers::Objective& objective) const;
+  robots::Configuration select_answer(const robots::Candidates& answers, const solvers::Problem& problem,
+                                      solvers::Objective& objective) const;
   // Notes what the message reports, and takes its answer; without one, the best candidate that was evaluated.
   void take_answer(const Message& message, const solvers::Problem& problem, solvers::Objective& objective,
                    const robots::Configuration& evaluated);
-  void converse(const solvers::Problem& problem, solvers::Objective& objective, std::uint32_t seed);
+  void exchange_solve(const solvers::Problem& problem, solvers::Objective& objective, std::uint32_t seed);
   // Takes our count of evaluations if these explain the answer, otherwise the program's own, if it has one.
-  void count(std::int64_t ours, std::int64_t own, bool is_explained, double best);
+  void set_evaluations(std::int64_t ours, std::int64_t own, bool is_explained, double best);
 
-  ProcessPool& all_;
+  ProcessPool& pool_;
   const solvers::StopRule& stop_;
-  WorkerProcess own_;
-  ProcessReport account_;
+  WorkerProcess worker_;
+  ProcessReport report_;
   std::optional<ProcessFailure> failure_;  // last failure of this solve, with how the process ended
 };
 

@@ -59,12 +59,12 @@ void list_fields(base::Fields& io, ProgramSpec& choice) {
   io.texts("files", choice.files, "what the program consists of besides; an edited file solves anew");
   io.whole("memory_mb", choice.memory_mb, {0, 1'000'000},
            "address space that each process of the program may take, on Linux; 0: no limit");
-  io.number("patience_s", choice.patience, 1, {0, 86400},
+  io.number("patience_s", choice.timeout, 1, {0, 86400},
             "wall time after which a solve is given up; 0: 20 times stop.seconds, at least 5 s; without that 60 s");
   io.whole("batch", choice.batch, {0, 1000}, "most problems that it gets in one message; 0: one by one");
 }
 
-Clock::time_point after(double seconds) {
+Clock::time_point deadline_in(double seconds) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
@@ -81,28 +81,28 @@ Message read_message(ChildProcess& child, Clock::time_point deadline) {
   }
 }
 
-Message exchange(ChildProcess& child, const std::string& text, Clock::time_point deadline) {
+Message send_request(ChildProcess& child, const std::string& text, Clock::time_point deadline) {
   child.write(text, deadline);
   return read_message(child, deadline);
 }
 
-ProcessFailure unasked(ChildProcess& child, double patience) {
+ProcessFailure unsolicited_message(ChildProcess& child, double patience) {
   try {
-    read_message(child, after(patience)).fail("nothing after its answer");
+    read_message(child, deadline_in(patience)).fail("nothing after its answer");
   } catch (const ProcessFailure& trouble) {
     return trouble;
   }
 }
 
-std::unique_ptr<ChildProcess> started(const ProgramSpec& choice, const fs::path& folder, Hello& hello) {
+std::unique_ptr<ChildProcess> launch(const ProgramSpec& choice, const fs::path& folder, Hello& hello) {
   std::vector<std::string> words = choice.process;
   if (choice.memory_mb > 0)
     words.insert(words.begin(),
                  {"sh", "-c", fmt::format(R"(ulimit -v {} && exec "$0" "$@")", 1000 * choice.memory_mb)});
   auto child = std::make_unique<ChildProcess>(words, folder, std::vector<std::string>{"LC_ALL=C", "OMP_NUM_THREADS=1"});
-  const double patience = std::max(start_timeout, choice.patience);
+  const double patience = std::max(start_timeout, choice.timeout);
   try {
-    hello = read_message(*child, after(patience)).hello();
+    hello = read_message(*child, deadline_in(patience)).hello();
   } catch (const ProcessFailure& trouble) {
     const std::string told = child->end_after(trouble.kind);
     if (trouble.kind != ProcessFailure::Kind::timed_out) throw ProcessFailure{trouble.kind, trouble.why + told};
@@ -120,14 +120,14 @@ std::string urdf_text_for(const Program& program, const std::string& robot) {
 
 bool Program::is_unchanged() const { return digest_of(choice, folder, hello) == digest; }
 
-std::shared_ptr<const Program> meet(const ProgramSpec& choice, const fs::path& folder) {
+std::shared_ptr<const Program> probe(const ProgramSpec& choice, const fs::path& folder) {
   for (const std::string& name : choice.files) {
     if (!is_file(folder / name))
       throw std::invalid_argument(fmt::format("there is no file {}", (folder / name).string()));
   }
   auto program = std::make_shared<Program>(Program{.choice = choice, .folder = folder, .hello = {}, .digest = {}});
   try {
-    started(choice, folder, program->hello);
+    launch(choice, folder, program->hello);
   } catch (const ProcessFailure& trouble) {
     throw std::invalid_argument(trouble.why);
   }

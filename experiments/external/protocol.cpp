@@ -135,14 +135,14 @@ Hello Message::hello() const {
   return hello;
 }
 
-std::string Message::why() const {
+std::string Message::decline_reason() const {
   const auto why = json_->find("why");  // a long reason is no mistake
   if (why == json_->end() || !why->is_string() || why->get_ref<const std::string&>().empty())
     return "it does not say why";
   return std::string(front(base::one_line(why->get<std::string>()), 200));
 }
 
-std::string Message::fault() const {
+std::string Message::rejection_reason() const {
   const Json valid = json_->value("valid", Json());
   std::string why = valid == false ? std::string(front(text(*json_, "why"), max_name_bytes)) : "";
   if (name_ != "checked" || (valid != true && trimmed(why).empty()))
@@ -179,8 +179,8 @@ Configuration Message::joints(int joints) const {
 std::map<std::string, double> Message::extras(const char* key) const {
   std::map<std::string, double> extras;
   const Json object = json_->value(key, Json());
-  if (!(object.is_object() || object.is_null()) || object.size() > most_extras)
-    fail(fmt::format("at most {} numbers by name as \"{}\"", most_extras, key));
+  if (!(object.is_object() || object.is_null()) || object.size() > max_extras)
+    fail(fmt::format("at most {} numbers by name as \"{}\"", max_extras, key));
   for (const auto& [name, value] : object.items()) {
     for (const std::string_view ours : {results::refused_prefix, results::check_extra, results::invalid_extra})
       if (!is_plain(name) || trimmed(name).empty() || name.starts_with(ours))

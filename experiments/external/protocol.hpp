@@ -44,7 +44,7 @@ struct Hello {
 solvers::Settings resolved_options(const Hello& hello, const solvers::Settings& settings);
 
 constexpr std::size_t max_name_bytes = 180;  // of a name from a check, which is stored with a prefix
-constexpr std::size_t most_extras = 50;      // names, in one answer and in all of a program
+constexpr std::size_t max_extras = 50;       // names, in one answer and in all of a program
 
 // A message of a program. A message that breaks the protocol throws Trouble, which shows the line and what was
 // expected.
@@ -53,10 +53,10 @@ class Message {
   explicit Message(std::string line);
   const std::string& name() const { return name_; }
   Hello hello() const;
-  std::string why() const;
+  std::string decline_reason() const;
   robots::Candidates candidates(int joints, const char* key = "candidates") const;
   std::map<std::string, double> extras(const char* key = "extras") const;
-  std::string fault() const;  // why a check finds an answer invalid; empty: valid
+  std::string rejection_reason() const;  // why a check finds an answer invalid; empty: valid
   // Returns the answers of a batch by the messages of its problems. They come in the order of the problems, each with
   // the seed of its problem.
   std::map<std::string, std::optional<Message>> answers(const std::vector<std::string>& problems) const;

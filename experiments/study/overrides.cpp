@@ -59,7 +59,7 @@ std::set<std::string> settings_of(const std::string& solver) {
 
 // Applies one override to a study's table. "IK-BA.alpha" is for the entries with that label or solver, "sweep.alpha"
 // for those whose solver has that setting.
-void override_one(toml::table& study, const std::string& typed) {
+void apply_override(toml::table& study, const std::string& typed) {
   const std::size_t blank = typed.starts_with("--") ? typed.find(' ') : std::string::npos;
   const std::string option(blank == std::string::npos ? override_source : typed.substr(0, blank)),
       text = blank == std::string::npos ? typed : typed.substr(blank + 1);

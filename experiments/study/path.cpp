@@ -6,7 +6,7 @@ namespace ikbench::experiments {
 #include "experiments/study/paths.inc"
 #undef PATH
 
-std::vector<Path> paths() {
+std::vector<Path> target_sets() {
   std::vector<Path> all;
 #define PATH(name) all.emplace_back(name##_path());
 #include "experiments/study/paths.inc"
@@ -14,7 +14,7 @@ std::vector<Path> paths() {
   return all;
 }
 
-Eigen::Matrix3d rotation(ToolOrientation tool) {
+Eigen::Matrix3d tool_rotation(ToolOrientation tool) {
   if (tool == ToolOrientation::down) return Eigen::Matrix3d{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
   return Eigen::Matrix3d{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
 }

@@ -28,21 +28,21 @@ class TargetSet {
   // Throws std::invalid_argument if the fields do not fit each other, or if the arm has no such targets.
   virtual void check(const Robot&) const {}
   // Returns true if every run draws its own targets, false if all runs have the same.
-  virtual bool is_drawn() const { return false; }
+  virtual bool is_random() const { return false; }
   // Returns true if a run's targets are made of the numbers that NumPy draws after those of the runs before.
-  virtual bool is_of_numpy() const { return false; }
+  virtual bool uses_numpy_random() const { return false; }
   virtual int points() const = 0;
   // Returns one pose per point. `random` belongs to the run; only random paths use it.
   virtual std::vector<Pose> poses(const Robot& arm, Random& random) const = 0;
   // Returns the configurations from which poses() makes its targets, by the same draws; empty if it uses none.
-  virtual std::vector<Configuration> solutions(const Robot&, Random&) const { return {}; }
+  virtual std::vector<Configuration> source_configurations(const Robot&, Random&) const { return {}; }
 };
 
 // A path of any kind. Copies share it, so its fields may be changed only before it is copied.
 using Path = std::shared_ptr<TargetSet>;
 
 // Returns a new path of each kind, with its defaults, in the order of paths.inc.
-std::vector<Path> paths();
+std::vector<Path> target_sets();
 
 // Reads poses from a table of any origin (base/sheet.hpp). The header names the columns, in any order and case, with
 // their units:
@@ -62,7 +62,7 @@ constexpr std::pair<std::int64_t, std::int64_t> point_count_range{1, 100'000};
 // The tool's orientation along a path. down: R = diag(-1, 1, -1). eq27: the third column is (0, 1, 0), a horizontal
 // tool, as Eq. 27 prints; the other columns are our choice.
 enum class ToolOrientation { down, eq27 };
-Eigen::Matrix3d rotation(ToolOrientation tool);
+Eigen::Matrix3d tool_rotation(ToolOrientation tool);
 
 // Returns the nine elements of a rotation, row by row.
 std::vector<double> row_major(const Eigen::Matrix3d& R);

@@ -73,7 +73,7 @@ class PathReader final : public TomlReader {
 };
 
 Path read_path(PathReader reader) {
-  const std::vector<Path> kinds = paths();
+  const std::vector<Path> kinds = target_sets();
   std::vector<std::string_view> names;
   for (const Path& kind : kinds) names.push_back(kind->name());
   std::size_t chosen = 0;
@@ -87,7 +87,7 @@ Path read_path(PathReader reader) {
   const toml::source_region& kind = reader.find("kind")->source();
   const bool is_other_kind = kind.begin.line == 0 || kind.path;
   reader.refuse_unknown_keys(is_other_kind ? override_source : "");
-  with_key_context(reader, "file", [&] { path->load(folder_of(reader, "file")); });
+  with_key_context(reader, "file", [&] { path->load(base_folder(reader, "file")); });
   return path;
 }
 
@@ -106,7 +106,7 @@ Robot read_arm(const TomlReader& reader, Study& study, const ArmOfStore& arm_of_
     return *study.robot_of_file;
   }
   if (!is_arm_file(study.robot)) return with_key_context(reader, "robot", [&] { return robot(study.robot); });
-  const std::filesystem::path file = folder_of(reader, "robot") / study.robot;
+  const std::filesystem::path file = base_folder(reader, "robot") / study.robot;
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
     throw reader.mistake(
@@ -153,8 +153,8 @@ void read_check(TomlReader reader, Study& study) {
     if (trimmed(name).empty() || !is_plain(name) || name.size() > max_name_bytes || name.starts_with(check_extra) ||
         name.starts_with(invalid_extra))
       throw reader.mistake("larger", fmt::format("[check] names a number \"{}\"; expected a plain text", name));
-  if (numbers.size() > most_extras)
-    throw reader.mistake("larger", fmt::format("[check] names {} numbers; at most {}", numbers.size(), most_extras));
+  if (numbers.size() > max_extras)
+    throw reader.mistake("larger", fmt::format("[check] names {} numbers; at most {}", numbers.size(), max_extras));
   study.check.process = study.checker->choice.process, study.check.digest = study.checker->digest;
   reader.refuse_unknown_keys();
 }
@@ -165,18 +165,18 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
     if (is_wrong) throw reader.mistake(key, message);
   };
   with_key_context(reader, "path", [&] { study.path->check(arm); });
-  refuse_if(study.path->is_of_numpy() && study.seed > std::numeric_limits<std::uint32_t>::max(), "seed",
+  refuse_if(study.path->uses_numpy_random() && study.seed > std::numeric_limits<std::uint32_t>::max(), "seed",
             "path.generator is \"numpy\", whose seeds are at most 4294967295");
   Random random(Key(0));
-  refuse_if(study.start == Start::near && study.path->solutions(arm, random).empty(), "start",
+  refuse_if(study.start == Start::near && study.path->source_configurations(arm, random).empty(), "start",
             "start is \"near\", but the path's targets are not made of configurations; expected path.kind = \"random\" "
             "with targets that the arm can reach, or another start");
   refuse_if(
-      study.loop.period > 0 && (!study.is_chained() || study.path->is_drawn()), "loop",
+      study.loop.period > 0 && (!study.is_chained() || study.path->is_random()), "loop",
       "loop.period_ms is about a path that the arm follows; expected start = \"previous\" and targets that are not "
       "drawn, or no [loop]");
   refuse_if(
-      study.state == results::CacheState::hot && study.is_chained(), "state",
+      study.state == results::CacheState::warm && study.is_chained(), "state",
       "state is \"hot\", but start = \"previous\", so that a solver makes a run in a row; expected another start");
   refuse_if(study.checker && !study.has_tolerance(), "check",
             "[check] is asked of answers that reach their target; expected stop.tolerance_cm");
@@ -185,7 +185,7 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
             "solvers, runs and points make more than 100 000 000 solves; expected fewer");
   refuse_if(study.trace == solvers::Trace::best_error && study.stop.iterations > 1'000'000, "trace",
             "a trace has at most 1 000 000 iterations; expected stop.iterations of at most that");
-  refuse_if(study.limits == Limits::enforced && study.bounds == BoundsPolicy::initial, "bounds",
+  refuse_if(study.limits == LimitPolicy::enforced && study.bounds == BoundsPolicy::initial, "bounds",
             bounds_need_recorded_limits);
   const Configuration units = joint_units(arm.chain);
   for (Eigen::Index j = 0; j < units.size(); ++j) {
@@ -276,10 +276,10 @@ Study read_study(const toml::table& table, std::string_view source, const ArmOfS
   read_solvers(reader, study, arm);
   const std::vector<std::string> labels = labels_of(study);
   read_part(analysis, study.plan);
-  for (const std::string& then : study.plan.then)
+  for (const std::string& then : study.plan.tie_breakers)
     refuse_unknown(analysis, "then", "metric", then, results::default_tie_breakers);
   const std::string& control = study.plan.control;
-  if (!control.empty() && std::ranges::find(study.solvers, control, &SolverEntry::family) == study.solvers.end())
+  if (!control.empty() && std::ranges::find(study.solvers, control, &SolverEntry::sweep_base) == study.solvers.end())
     refuse_unknown(analysis, "control", "label", control, labels);
   drop_lost_control(study);
   read_style(figures, study.figures);
@@ -337,7 +337,7 @@ std::vector<std::string> labels_like(const Study& study, const std::string& name
   std::vector<std::string> labels, by_solver;
   const std::string wanted = lower_case(name), solver = solver_named(name);
   for (const SolverEntry& entry : study.solvers) {
-    for (const std::string& label : {entry.label, entry.family})
+    for (const std::string& label : {entry.label, entry.sweep_base})
       if (!label.empty() && lower_case(label) == wanted) labels.push_back(label);
     if (!entry.program && entry.solver == solver) by_solver.push_back(entry.label);
   }
@@ -349,7 +349,7 @@ std::vector<std::string> labels_like(const Study& study, const std::string& name
 }  // namespace
 
 // Returns the folder of a file that a key names: the study's, or the current one if --set gave the key.
-std::filesystem::path folder_of(const TomlReader& reader, std::string_view key) {
+std::filesystem::path base_folder(const TomlReader& reader, std::string_view key) {
   const toml::node* const node = reader.table().get(key);
   const bool is_of_file = node != nullptr && node->source().begin.line > 0 && !node->source().path;
   return is_of_file ? reader.source().parent_path() : std::filesystem::path();
@@ -359,7 +359,7 @@ std::string solver_named(const std::string& name) {
   const std::string wanted = lower_case(name);
   for (const solvers::SolverInfo& info : solvers::all_solvers())
     if (info.name == wanted) return info.name;
-  for (const Study& study : studies())
+  for (const Study& study : built_in_studies())
     for (const SolverEntry& entry : study.solvers)
       if (lower_case(entry.label) == wanted) return entry.solver;
   return name;
@@ -373,7 +373,7 @@ void select_solvers(Study& study, const std::vector<std::string>& lists) {
       const auto take = [&](const std::string& label) {
         if (label.size() > longest.size() && (rest + ',').starts_with(label + ',')) longest = label;
       };
-      for (const SolverEntry& entry : study.solvers) take(entry.label), take(entry.family);
+      for (const SolverEntry& entry : study.solvers) take(entry.label), take(entry.sweep_base);
       const std::vector<std::string> meant =
           longest.empty() ? labels_like(study, rest.substr(0, rest.find(','))) : std::vector{longest};
       rest.erase(0, longest.empty() ? std::min(rest.find(','), rest.size() - 1) + 1 : longest.size() + 1);
@@ -381,7 +381,7 @@ void select_solvers(Study& study, const std::vector<std::string>& lists) {
     } while (!rest.empty());
   }
   std::erase_if(study.solvers, [&](const SolverEntry& entry) {
-    return !labels.contains(entry.label) && !labels.contains(entry.family);
+    return !labels.contains(entry.label) && !labels.contains(entry.sweep_base);
   });
   std::erase_if(study.figures.solvers, [kept = labels_of(study)](const std::string& label) {
     return std::ranges::find(kept, label) == kept.end();
@@ -392,7 +392,7 @@ void select_solvers(Study& study, const std::vector<std::string>& lists) {
 Study parse_study(std::string_view toml_text, std::string_view source, const Overrides& overrides) {
   toml::table table = parse_toml(toml_text, source);
   const bool has_path = table.contains("path");
-  for (const std::string& text : overrides) override_one(table, text);
+  for (const std::string& text : overrides) apply_override(table, text);
   const bool is_of_protocol = !has_path && !table["path"]["kind"];
   if (is_of_protocol) add_protocol(table);
   Study study = read_study(table, source);
@@ -400,7 +400,7 @@ Study parse_study(std::string_view toml_text, std::string_view source, const Ove
   return study;
 }
 
-std::vector<Study> studies() {
+std::vector<Study> built_in_studies() {
   std::vector<Study> all;
   for (const EmbeddedFile& file : study_files) all.push_back(parse_study(file.text, source_of(file)));
   std::ranges::sort(all, {}, &Study::name);

@@ -24,7 +24,7 @@ std::string sweep_override(const std::string& text);
 Study parse_study(std::string_view toml, std::string_view source, const Overrides& overrides = {});
 // Returns the built-in studies by name: the files of studies/, which the build embeds in the program
 // (packaging/embed.cmake).
-std::vector<Study> studies();
+std::vector<Study> built_in_studies();
 // Loads a built-in study by its name, otherwise a file. Throws as parse_study does.
 Study load_study(const std::string& name_or_file, const Overrides& overrides = {});
 // Loads the study of a store, to solve it again: what its study file said, with all options as they were in effect. Its

@@ -18,7 +18,7 @@ constexpr std::string_view bounds_need_recorded_limits =
     "bounds is \"initial\", but limits is \"enforced\"; expected bounds by which answers are inside the limits";
 
 // Sets a key of the study, or settings of its solvers, by "key=value" or "--option key=value" (overrides.cpp).
-void override_one(toml::table& study, const std::string& text);
+void apply_override(toml::table& study, const std::string& text);
 
 // Starts the program of an entry, or of the check, to read its name and options (solver_entries.cpp).
 std::shared_ptr<const Program> read_program(base::TomlReader& reader, bool is_of_entry);
@@ -42,6 +42,6 @@ Study read_study(const toml::table& table, std::string_view source, const ArmOfS
 
 // Returns the folder of a file that a key names: the study's, or the current one if --set gave the key
 // (reader.cpp).
-std::filesystem::path folder_of(const base::TomlReader& reader, std::string_view key);
+std::filesystem::path base_folder(const base::TomlReader& reader, std::string_view key);
 
 }  // namespace ikbench::experiments

@@ -62,9 +62,9 @@ Setting value_in(const TomlReader& settings, const SolverEntry& entry, const std
                  const toml::node& node) {
   if (setting == population_key) {
     const toml::value<std::int64_t>* value = node.as_integer();
-    if (value == nullptr || value->get() < populations.first || value->get() > populations.second) {
-      settings.fail_number(setting, node,
-                           fmt::format("a whole number from {} to {}", populations.first, populations.second));
+    if (value == nullptr || value->get() < population_range.first || value->get() > population_range.second) {
+      settings.fail_number(
+          setting, node, fmt::format("a whole number from {} to {}", population_range.first, population_range.second));
     }
     return static_cast<double>(value->get());
   }
@@ -131,7 +131,7 @@ std::vector<SolverEntry> combinations(const TomlReader& reader, const SolverEntr
                                               reader.where(reader.table().source(), "solvers"), entry.label, what));
   };
   std::vector<SolverEntry> entries{entry};
-  if (!axes.empty()) entries.front().family = entry.label;
+  if (!axes.empty()) entries.front().sweep_base = entry.label;
   for (const auto& [setting, values] : axes) {
     refuse_if(entries.size() * values.size() > most_solvers, too_many_solvers);
     std::vector<SolverEntry> longer;
@@ -172,7 +172,7 @@ void check_entry(const TomlReader& reader, const TomlReader& at_entry, const Sol
                                              info.least_population));
   }
   const auto bounds = entry.options.find("bounds");
-  if (study.limits == Limits::enforced && bounds != entry.options.end() && bounds->second == Setting("initial")) {
+  if (study.limits == LimitPolicy::enforced && bounds != entry.options.end() && bounds->second == Setting("initial")) {
     const toml::table* const options = at_entry.table()["options"].as_table();
     throw(options == nullptr ? at_entry : at_entry.nested(*options, at_entry.prefix()))
         .mistake("bounds", bounds_need_recorded_limits);
@@ -211,7 +211,7 @@ std::shared_ptr<const Program> read_program(TomlReader& reader, bool is_of_entry
   if (choice.process.empty() || choice.process[0].empty())
     throw reader.mistake(key, reader.prefix() + "process is missing or empty; expected a program, and its arguments");
   try {
-    return meet(choice, folder_of(reader, key));
+    return probe(choice, base_folder(reader, key));
   } catch (const std::invalid_argument& error) {
     if (is_of_entry) leave_out(reader, choice.process[0], error.what());
     throw reader.mistake(key, fmt::format("{}: {}{}", choice.process[0], error.what(),
@@ -227,7 +227,7 @@ void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
     try {
       entries = read_entry(reader.nested(*table, "solvers."));
     } catch (const SkippedSolver& left_out) {
-      study.left_out.push_back(left_out);
+      study.skipped.push_back(left_out);
     }
     for (SolverEntry& entry : entries) {
       if (!labels.insert(entry.label).second) {

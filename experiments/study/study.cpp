@@ -17,7 +17,7 @@ using namespace solvers;
 namespace {
 
 Random random_of_targets(const Study& study, const Robot& arm, int run) {
-  if (study.path->is_of_numpy())
+  if (study.path->uses_numpy_random())
     return Random::of_numpy(
         static_cast<std::uint32_t>(study.seed),
         static_cast<std::uint64_t>(run - 1) * static_cast<std::uint64_t>(study.path->points() * arm.joints()));
@@ -38,7 +38,7 @@ GoalKind goal_kind(Search search) {
   return search == Search::pose ? GoalKind::pose : search == Search::axis ? GoalKind::axis : GoalKind::position;
 }
 
-Robot arm_of(const Study& study) { return study.robot_of_file ? *study.robot_of_file : robot(study.robot); }
+Robot robot_of(const Study& study) { return study.robot_of_file ? *study.robot_of_file : robot(study.robot); }
 
 Configuration joint_units(const Chain& arm) {
   Configuration units = Configuration::Constant(arm.joints(), base::degree);
@@ -48,21 +48,21 @@ Configuration joint_units(const Chain& arm) {
   return units;
 }
 
-const SolverInfo& info_of(const SolverEntry& entry) { return entry.own ? *entry.own : solver(entry.solver); }
+const SolverInfo& solver_info(const SolverEntry& entry) { return entry.custom ? *entry.custom : solver(entry.solver); }
 
 Settings entry_options(const SolverEntry& entry, const Settings& settings) {
-  return entry.program ? resolved_options(entry.program->hello, settings) : info_of(entry).options(settings);
+  return entry.program ? resolved_options(entry.program->hello, settings) : solver_info(entry).options(settings);
 }
 
 Settings effective_options(const Study& study, const SolverEntry& entry) {
   if (entry.program) return entry_options(entry, entry.options);
-  const SolverInfo& info = info_of(entry);
+  const SolverInfo& info = solver_info(entry);
   Settings settings;
   const Settings presets = info.options({});
   if (const auto preset = presets.find("bounds"); preset != presets.end()) {
     if (study.bounds == BoundsPolicy::initial) settings["bounds"] = "initial";
     if (study.bounds == BoundsPolicy::clamp ||
-        (study.limits == Limits::enforced && preset->second == Setting("initial")))
+        (study.limits == LimitPolicy::enforced && preset->second == Setting("initial")))
       settings["bounds"] = "clamp";
   }
   for (const auto& [name, value] : entry.options) settings[name] = value;
@@ -73,25 +73,25 @@ int effective_population(const Study& study, const SolverEntry& entry) {
   return entry.population > 0 ? entry.population : study.population;
 }
 
-std::vector<Pose> targets(const Study& study, const Robot& arm, int run) {
+std::vector<Pose> targets_of_run(const Study& study, const Robot& arm, int run) {
   Random random = random_of_targets(study, arm, run);
   return study.path->poses(arm, random);
 }
 
-std::vector<Pose> targets(const Study& study, int run) { return targets(study, arm_of(study), run); }
+std::vector<Pose> targets_of_run(const Study& study, int run) { return targets_of_run(study, robot_of(study), run); }
 
 Configuration default_configuration(const Robot& arm) {
   return arm.limits.lower.cwiseMax(Configuration::Zero(arm.joints())).cwiseMin(arm.limits.upper);
 }
 
-std::vector<Configuration> starts(const Study& study, const Robot& arm, int run) {
+std::vector<Configuration> starts_of_run(const Study& study, const Robot& arm, int run) {
   if (study.start == Start::previous || study.start == Start::initial) return {};
   const Configuration zeros = Configuration::Zero(arm.joints());
   const JointLimits range = arm.limits.around(zeros);
   Random random(Key(study.seed).with("starts").with(static_cast<std::uint64_t>(run))),
       of_targets = random_of_targets(study, arm, run);
   std::vector<Configuration> all(static_cast<std::size_t>(study.path->points()), (range.lower + range.upper) / 2);
-  if (study.start == Start::near) all = study.path->solutions(arm, of_targets);
+  if (study.start == Start::near) all = study.path->source_configurations(arm, of_targets);
   for (Configuration& start : all) {
     for (Eigen::Index j = 0; j < start.size(); ++j) {
       if (study.start == Start::random) start[j] = random.uniform(range.lower[j], range.upper[j]);
@@ -104,16 +104,16 @@ std::vector<Configuration> starts(const Study& study, const Robot& arm, int run)
   return all;
 }
 
-std::vector<UnreachableTarget> unreachable(const Study& study) {
-  if (study.path->is_drawn()) return {};
-  const Robot arm = arm_of(study);
+std::vector<UnreachableTarget> unreachable_targets(const Study& study) {
+  if (study.path->is_random()) return {};
+  const Robot arm = robot_of(study);
   const std::optional<SphericalWrist> wrist =
       study.search == Search::wrist ? std::optional<SphericalWrist>(arm.chain) : std::nullopt;
   const Chain& searched = wrist ? wrist->arm() : arm.chain;
   const Chain::Ball ball = searched.reach();
   std::vector<UnreachableTarget> beyond;
   int point = 0;
-  for (const Pose& target : targets(study, arm, 1)) {
+  for (const Pose& target : targets_of_run(study, arm, 1)) {
     ++point;
     const Eigen::Vector3d goal = wrist ? wrist->centre(target) : target.translation();
     const double distance = (goal - ball.centre).norm();
@@ -133,7 +133,7 @@ Shard parse_shard(std::string_view text) {
 
 std::string Shard::text() const { return fmt::format("{}/{}", index, count); }
 
-bool contains(Shard shard, const Study& study, int run, int point) {
+bool is_in_shard(Shard shard, const Study& study, int run, int point) {
   const std::int64_t part =  // from 0; all points of a chain are one part
       study.is_chained() ? run - 1 : std::int64_t{run - 1} * study.path->points() + point - 1;
   return part % shard.count == shard.index - 1;

@@ -17,14 +17,14 @@
 
 namespace ikbench::experiments {
 
-using results::Limits, results::Search, results::Start, results::BoundsPolicy, results::WristBranch,
+using results::LimitPolicy, results::Search, results::Start, results::BoundsPolicy, results::WristBranch,
     results::WristTurns, results::WrapPolicy;
 
 struct Program;  // external/program.hpp
 
 // The treatment of a solver whose library this program was built without, or of a program that does not start: refuse
 // the study, or leave the solver out and say so.
-enum class IfMissing { refuse, leave_out };
+enum class IfMissing { refuse, skip };
 
 // An entry of a solver in a study.
 struct SolverEntry {
@@ -36,30 +36,30 @@ struct SolverEntry {
   IfMissing if_missing = IfMissing::refuse;
   // A solver that a user of these libraries defines, named `solver`; null: a registered one. The file of the running
   // program counts as its source, so any change of the program solves again.
-  std::shared_ptr<const solvers::SolverInfo> own = {};
-  std::string colour = {};  // in figures; empty: the default of the solver
-  std::string family = {};  // label of the swept entry that this is one of; empty: none
+  std::shared_ptr<const solvers::SolverInfo> custom = {};
+  std::string colour = {};      // in figures; empty: the default of the solver
+  std::string sweep_base = {};  // label of the swept entry that this is one of; empty: none
 };
 
 // Returns the solver of an entry that is no program.
-const solvers::SolverInfo& info_of(const SolverEntry& entry);
+const solvers::SolverInfo& solver_info(const SolverEntry& entry);
 
 // A solver that was left out, because its library or program is missing.
 struct SkippedSolver {
   std::string label;
-  std::string why;  // "not built: ..."
+  std::string reason;  // "not built: ..."
 };
 
 // A study with all that is made of its settings: the arm, the path, the solvers.
 struct Study : results::StudySpec {
   std::shared_ptr<const Robot> robot_of_file;  // the arm in the file `robot`; null: the arm is built in
   robots::UrdfChoice urdf;                     // for a URDF file
-  Path path = paths().front();
+  Path path = target_sets().front();
   Eigen::VectorXd initial;  // [rad], all joints; the arm before the first point of a run
   solvers::Trace trace = solvers::Trace::none;
   std::vector<SolverEntry> solvers;
   std::shared_ptr<const Program> checker;  // the check of answers that reached their target; null: none
-  std::vector<SkippedSolver> left_out;
+  std::vector<SkippedSolver> skipped;
   std::vector<std::string> notes;  // sentences on what was not taken as it stands
 };
 
@@ -68,7 +68,7 @@ std::vector<std::string> labels_of(const Study& study);  // labels of all solver
 solvers::GoalKind goal_kind(Search search);
 
 // Returns the study's arm. Throws std::invalid_argument if there is none of that name.
-Robot arm_of(const Study& study);
+Robot robot_of(const Study& study);
 
 // Returns the unit of each joint outside the program: degrees for a revolute joint, metres for a prismatic one.
 Configuration joint_units(const robots::Chain& arm);
@@ -82,14 +82,14 @@ int effective_population(const Study& study, const SolverEntry& entry);
 
 // Returns the targets of a run, the same for all solvers. Only random targets differ between runs. Targets of a longer
 // run begin with those of a shorter one. `arm` is arm_of(study), which reads and checks a file.
-std::vector<Pose> targets(const Study& study, const Robot& arm, int run);
-std::vector<Pose> targets(const Study& study, int run);
+std::vector<Pose> targets_of_run(const Study& study, const Robot& arm, int run);
+std::vector<Pose> targets_of_run(const Study& study, int run);
 
 // Returns zeros, or the nearest values that the limits allow: the initial configuration if the study gives none.
 Configuration default_configuration(const Robot& arm);
 
 // Returns the starts of a run's solves, the same for all solvers; none for Start::previous and Start::initial.
-std::vector<Configuration> starts(const Study& study, const Robot& arm, int run);
+std::vector<Configuration> starts_of_run(const Study& study, const Robot& arm, int run);
 
 // A target that no configuration can reach, because it is farther from the shoulder than the arm is long. Both are
 // measured to the wrist's centre if the study searches that.
@@ -98,7 +98,7 @@ struct UnreachableTarget {
   double distance;  // [m]
   double reach;     // [m]
 };
-std::vector<UnreachableTarget> unreachable(const Study& study);
+std::vector<UnreachableTarget> unreachable_targets(const Study& study);
 
 // A share of a study's solves, so that several machines can solve it side by side.
 // The parts of a study are its runs, or, if no solve starts from the previous answer, the single targets of every run.
@@ -114,7 +114,7 @@ struct Shard {
 // Reads "I/N". Throws std::invalid_argument for anything else.
 Shard parse_shard(std::string_view text);
 
-bool contains(Shard shard, const Study& study, int run, int point);
+bool is_in_shard(Shard shard, const Study& study, int run, int point);
 std::int64_t work_unit_count(const Study& study);
 std::int64_t planned_solve_count(Shard shard, const Study& study);  // by all solvers
 

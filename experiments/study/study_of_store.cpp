@@ -54,7 +54,7 @@ Json targets_in(const Store& store, const StoredStudy& stored) {
   for (const Series& series : stored.series) {
     if (poses.size() == points) break;
     poses.clear();
-    store.each_of_series(series.key, [&](const SolveRecord& solve) {
+    store.for_each_in_series(series.key, [&](const SolveRecord& solve) {
       if (solve.run == 1 && solve.point == std::ssize(poses) + 1)
         poses.push_back({{"position_m", solve.target_position_m}, {"rotation", solve.target_rotation}});
     });
@@ -82,7 +82,7 @@ class TargetsOfFile final : public TargetSet {
 // Returns the path of a stored study, without the poses of a study file or of another file. Null if this program does
 // not know its kind.
 Path path_in(const StoredStudy& stored, const toml::table& definition) {
-  for (const Path& path : paths()) {
+  for (const Path& path : target_sets()) {
     if (path->name() != stored.definition.path) continue;
     TomlReader reader(definition, fmt::format("study {}", stored.name), "");
     TomlReader fields = reader.part("path");
@@ -137,7 +137,7 @@ Study load_study(const Store& store, const StoredStudy& stored, const Overrides&
     table.insert_or_assign("path", toml_of(listed));
   }
   const toml::table urdf = table["urdf"].is_table() ? *table["urdf"].as_table() : toml::table();
-  for (const std::string& text : overrides) override_one(table, text);
+  for (const std::string& text : overrides) apply_override(table, text);
   const bool has_own_robot = bool(table.get("robot")) && table.get("robot")->source().path;
   if (!has_own_robot && table["urdf"].is_table() && *table["urdf"].as_table() != urdf)
     throw std::invalid_argument("another base, tip or limits need the file of the arm; expected --robot, too");

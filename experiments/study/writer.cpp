@@ -120,7 +120,7 @@ OrderedJson json_of(const FieldsWritten& fields, OrderedJson json = {}) {
 
 // Returns the study with its initial configuration in the units of files.
 Study as_in_files(Study study) {
-  const Configuration units = joint_units(arm_of(study).chain);
+  const Configuration units = joint_units(robot_of(study).chain);
   for (Eigen::Index j = 0; j < study.initial.size(); ++j) study.initial[j] = in_unit(study.initial[j], units[j]);
   return study;
 }
@@ -143,7 +143,7 @@ OrderedJson entry_definition(const SolverEntry& entry) {
   else
     json["solver"] = entry.solver;
   if (entry.population > 0) json["population"] = entry.population;
-  if (entry.if_missing == IfMissing::leave_out) json["if_missing"] = "leave_out";
+  if (entry.if_missing == IfMissing::skip) json["if_missing"] = "leave_out";
   for (const auto& [name, setting] : entry.options)
     std::visit([&](const auto& value) { json["options"][name] = value; }, setting);
   return json;
@@ -168,7 +168,7 @@ OrderedJson definition(const Study& study) {
   for (const SolverEntry& entry : study.solvers) json["solvers"].push_back(entry_definition(entry));
   if (is_urdf_file(study.robot)) json["urdf"] = json_of(written(fields.urdf));
   json["path"] = json_of(written(fields.path), {{"kind", fields.path->name()}});
-  if (fields.path->is_drawn())
+  if (fields.path->is_random())
     json["path"]["targets"] = "drawn";  // `analysis` needs to know only this of a kind of path
   return json;
 }
@@ -194,7 +194,7 @@ OrderedJson arm_definition(const Robot& arm) {
 
 // Returns the built-in study of the same paper that is most like this one: by the kind of path, then by the arm.
 std::optional<Study> original_of(const Study& study) {
-  const std::vector<Study> known = studies();
+  const std::vector<Study> known = built_in_studies();
   const auto likeness = [&](const Study& candidate) {
     if (study.published.empty() || candidate.published != study.published) return 0;
     return 1 + (candidate.path->name() == study.path->name() ? 2 : 0) + (candidate.robot == study.robot ? 1 : 0);
@@ -274,11 +274,11 @@ std::string said_by_name(Struct fields, Struct defaults, std::string_view prefix
 // enter as the fields of the path, the seed and the run.
 std::string targets_text(const Study& study) {
   std::string text;
-  if (!study.path->is_drawn()) {
-    for (const Pose& target : targets(study, 1)) text += exact(target.matrix().reshaped());
+  if (!study.path->is_random()) {
+    for (const Pose& target : targets_of_run(study, 1)) text += exact(target.matrix().reshaped());
     return text;
   }
-  const std::vector<Path> kinds = paths();
+  const std::vector<Path> kinds = target_sets();
   const auto defaults = std::ranges::find(kinds, study.path->name(), [](const Path& kind) { return kind->name(); });
   return fmt::format("{} {}", study.path->name(), study.path->points()) + said_by_name(study.path, *defaults);
 }
@@ -287,7 +287,7 @@ std::string targets_text(const Study& study) {
 
 std::string to_toml(Path path) {
   std::vector<std::string_view> kinds;
-  for (const Path& kind : paths()) kinds.push_back(kind->name());
+  for (const Path& kind : target_sets()) kinds.push_back(kind->name());
   return "[path]\n" +
          line("kind", toml_string(path->name()), fmt::format("{}; see: ikbench list paths", fmt::join(kinds, " | "))) +
          lines_of(written(path));
@@ -297,7 +297,7 @@ std::string to_toml(FigureStyle style) { return lines_of(written(style)); }
 
 std::string to_toml(const Study& study) {
   Study fields = as_in_files(study);
-  if (study.initial == default_configuration(arm_of(study)))
+  if (study.initial == default_configuration(robot_of(study)))
     fields.initial.resize(0);  // does not depend on the arm then
   std::string text = lines_of(written(fields));
   text +=
@@ -310,8 +310,8 @@ std::string to_toml(const Study& study) {
     ProgramSpec choice = study.checker->choice;
     text += "\n[check]\n" + lines_of(written(choice)) + lines_of(written(fields.check));
   }
-  for (const SkippedSolver& left_out : study.left_out)
-    text += fmt::format("\n# left out: {} is {}\n", left_out.label, left_out.why);
+  for (const SkippedSolver& left_out : study.skipped)
+    text += fmt::format("\n# left out: {} is {}\n", left_out.label, left_out.reason);
   for (const SolverEntry& entry : study.solvers) {
     text += "\n[[solvers]]\n" + line("label", toml_string(entry.label), "");
     if (entry.program) {
@@ -324,7 +324,7 @@ std::string to_toml(const Study& study) {
       text += line("population", fmt::format("{}", entry.population), "overrides the population of the study");
     if (!entry.colour.empty())
       text += line("colour", toml_string(entry.colour), "of the solver in every figure: \"#RRGGBB\"");
-    if (entry.if_missing == IfMissing::leave_out)
+    if (entry.if_missing == IfMissing::skip)
       text +=
           line("if_missing", "'leave_out'", "where it was not built the study goes on without it; refuse: it does not");
     std::vector<std::string> options;
@@ -340,10 +340,10 @@ std::string to_toml(const Study& study) {
 std::string to_json(const Study& study) {
   OrderedJson json = definition(study);
   json["points"] = study.path->points();
-  json["arm"] = arm_definition(arm_of(study));
+  json["arm"] = arm_definition(robot_of(study));
   const std::optional<Study> original = original_of(study);
   json["departures"] = original ? departures(study, *original) : std::vector<std::string>();
-  if (const auto beyond = unreachable(study).size(); beyond > 0) json["out_of_reach"]["points"] = beyond;
+  if (const auto beyond = unreachable_targets(study).size(); beyond > 0) json["out_of_reach"]["points"] = beyond;
   return base::text_of(json);
 }
 
@@ -353,7 +353,7 @@ std::string to_json(results::AnalysisPlan plan) { return base::text_of(json_of(w
 
 std::string configuration_key(const Study& study, const SolverEntry& entry) {
   // Writes the fields marked InKey::in_text. With another word or order here, all stored solves would be solved again.
-  const Robot arm = arm_of(study);
+  const Robot arm = robot_of(study);
   std::string text = "numerics 2\nrobot";
   text += arm.chain.definition() + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
   text += targets_text(study);
@@ -379,7 +379,7 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
   if (program) text += said_by_name(program->choice, ProgramSpec{}, "program.");
   Settings in_effect = effective_options(study, entry);
   if (!program) {
-    info_of(entry).describe([&](const OptionList& list) {
+    solver_info(entry).describe([&](const OptionList& list) {
       std::erase_if(in_effect, [&](const auto& setting) {
         const auto option = std::ranges::find(list.options(), setting.first, &Option::name);
         return option->is_later && option->get() == setting.second;
@@ -392,10 +392,10 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
 
 std::string source_digest_of(const SolverEntry& entry) {
   if (entry.program) return entry.program->digest;
-  return entry.own ? file_digest(executable_path()) : solver_source_digest(entry.solver);
+  return entry.custom ? file_digest(executable_path()) : solver_source_digest(entry.solver);
 }
 
-std::string library_name(const SolverEntry& entry) { return entry.program ? "" : info_of(entry).library; }
+std::string library_name(const SolverEntry& entry) { return entry.program ? "" : solver_info(entry).library; }
 
 std::string source_key(const SolverEntry& entry) {
   Key source = Key(0).with(shared_source_digest()).with(source_digest_of(entry));
@@ -416,10 +416,10 @@ std::vector<Series> series_of(const Study& study) {
     if (entry.program) {
       options["process"] = fmt::format("{}", fmt::join(entry.program->choice.process, " "));
       if (entry.program->choice.batch > 0) options["batch"] = static_cast<double>(entry.program->choice.batch);
-    } else if (const SolverInfo& info = info_of(entry); info.use) {
+    } else if (const SolverInfo& info = solver_info(entry); info.use) {
       info.use(options);
     }
-    if (entry.population > 0 || (!entry.program && info_of(entry).least_population > 0))
+    if (entry.population > 0 || (!entry.program && solver_info(entry).least_population > 0))
       options["population"] = static_cast<double>(effective_population(study, entry));
     Json values = Json::object();
     for (const auto& [name, value] : options) {

@@ -5,7 +5,7 @@
 
 #include "tests/base/processes.hpp"
 
-using ikbench::cli::aligned;
+using ikbench::cli::align_columns;
 using ikbench::cli::cancelled_exit_code;
 using ikbench::cli::CancelOnSignal;
 using ikbench::cli::output_folder;
@@ -60,11 +60,11 @@ TEST_CASE("lines break between words, and the further ones are indented", "[cons
 }
 
 TEST_CASE("rows that are too wide wrap the words of their widest columns", "[console]") {
-  CHECK(aligned({{"A", "B"}, {"1", "one two"}}, 100) == "A  B\n1  one two\n");
-  CHECK(aligned({{"A", "B"}, {"1", "one two"}}, 9) == "A  B\n1  one\n   two\n");
-  CHECK(aligned({{"A", "B", "C"}, {"1", "one two", "x"}}, 10) == "A  B     C\n1  one   x\n   two\n");
-  CHECK(aligned({{"A"}, {"longword"}}, 4) == "A\nlongword\n");
-  CHECK(aligned({}, 10).empty());
+  CHECK(align_columns({{"A", "B"}, {"1", "one two"}}, 100) == "A  B\n1  one two\n");
+  CHECK(align_columns({{"A", "B"}, {"1", "one two"}}, 9) == "A  B\n1  one\n   two\n");
+  CHECK(align_columns({{"A", "B", "C"}, {"1", "one two", "x"}}, 10) == "A  B     C\n1  one   x\n   two\n");
+  CHECK(align_columns({{"A"}, {"longword"}}, 4) == "A\nlongword\n");
+  CHECK(align_columns({}, 10).empty());
 }
 
 TEST_CASE("a folder has the letters of its study's name", "[console]") {

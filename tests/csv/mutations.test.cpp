@@ -28,7 +28,7 @@ TEST_CASE("whatever is in a CSV, it is judged or refused in one sentence", "[mut
       csv::Quantities read = csv::read(text, "m.csv", request);
       for (judge::MetricSamples& each : read.observed) {
         const judge::AnalysisPlan plan = csv::with_margin({}, "", each);
-        for (const judge::Group& group : judge::judge(std::move(each), plan).observations.groups)
+        for (const judge::Group& group : judge::judge(std::move(each), plan).samples.groups)
           CHECK(std::ranges::none_of(values_of(group), [](double value) { return std::isnan(value); }));
       }
     };

@@ -31,7 +31,7 @@ std::string said_exactly(const std::string& text, const Request& request = {}) {
   return complaint<std::invalid_argument>([&] {
     try {
       csv::read(text, "data.csv", request);
-    } catch (const csv::Question& question) {
+    } catch (const csv::MissingOption& question) {
       std::string said = fmt::format("{} [{}]", question.what(), fmt::join(question.options, " "));
       for (const auto& answer : question.answers) said += fmt::format(" [{}]", fmt::join(answer, " "));
       throw std::invalid_argument(said);
@@ -74,7 +74,7 @@ int follow(const std::string& text, const Request& request, int depth = 0) {
   try {
     csv::read(text, "data.csv", request);
     return 1;
-  } catch (const csv::Question& question) {
+  } catch (const csv::MissingOption& question) {
     CAPTURE(question.what());
     int ways = 0;
     for (const auto& answer : question.answers) ways += follow(text, with_options(request, answer), depth + 1);
@@ -89,8 +89,8 @@ int follow(const std::string& text, const Request& request, int depth = 0) {
 TEST_CASE("values near -5 are the same within 1, on differences") {
   const std::string text = text_in("tests/data/csv/drift.csv");
   CHECK(csv::read(text, "drift.csv", smaller({})).notes.size() == 2);  // how it was read, and on differences
-  CHECK(finding(text, {}, "1").verdict == Verdict::same);
-  CHECK(finding(text).verdict == Verdict::undecided);  // a share of negative values is no margin
+  CHECK(finding(text, {}, "1").verdict == Verdict::equivalent);
+  CHECK(finding(text).verdict == Verdict::inconclusive);  // a share of negative values is no margin
   CHECK_THROWS_AS(finding(text, {}, "5%"), std::invalid_argument);
 }
 
@@ -105,11 +105,11 @@ TEST_CASE("a zero in a third group changes no verdict on the two others") {
 }
 
 TEST_CASE("rows without a label are left out and counted") {
-  const MetricSamples observed = observations(text_in("tests/data/csv/stray-label.csv"));
-  CHECK(observed.groups.size() == 2);
-  REQUIRE(observed.doubts.size() == 1);
-  CHECK(observed.doubts.front().count == 4);
-  CHECK(observed.doubts.front().of == 12);
+  const MetricSamples samples = observations(text_in("tests/data/csv/stray-label.csv"));
+  CHECK(samples.groups.size() == 2);
+  REQUIRE(samples.warnings.size() == 1);
+  CHECK(samples.warnings.front().count == 4);
+  CHECK(samples.warnings.front().total == 12);
 }
 
 TEST_CASE("rows of several metrics are asked about, and --where takes one") {
@@ -150,7 +150,7 @@ TEST_CASE("a question counts no blank as a value") {
   try {
     csv::read("s,note,v\nA,,1\nA,x,2\nB,,3\nB,,4\n", "d.csv", {});
     FAIL("no question");
-  } catch (const csv::Question& question) {
+  } catch (const csv::MissingOption& question) {
     CHECK(question.columns[1][2] == "1 different");
   }
 }
@@ -253,7 +253,7 @@ TEST_CASE("what missing values count as is asked, with an answer that runs") {
     const auto answers = [&](bool are_means) {
       try {
         csv::read(text, "data.csv", smaller({.are_means = are_means}));
-      } catch (const csv::Question& question) {
+      } catch (const csv::MissingOption& question) {
         return question.answers;
       }
       return std::vector<std::vector<std::string>>();
@@ -263,8 +263,8 @@ TEST_CASE("what missing values count as is asked, with an answer that runs") {
     const MetricSamples without = observations(text, dropped), with = observations(text, worst);
     CHECK(list_of(without.groups.front()) == std::vector{2.0, 1.0, 3.0, 4.0});
     CHECK(std::isinf(list_of(with.groups.front()).front()));
-    CHECK(without.doubts.front().kind == WarningKind::incomplete);
-    CHECK(without.doubts.front().of == 9);
+    CHECK(without.warnings.front().kind == WarningKind::incomplete);
+    CHECK(without.warnings.front().total == 9);
     CHECK(finding(text, dropped).verdict == Verdict::better);
   }
 }
@@ -335,8 +335,8 @@ TEST_CASE("leaving rows out favours who lacks more of them, which is said") {
     std::string text = "s,v\n";
     for (int i = 0; i < 20; ++i)
       text += fmt::format("A,{}\nB,{}\n", i < missing ? "NA" : fmt::to_string(i + 1), 2 * i + 1);
-    const std::vector<judge::Doubt> doubts = observations(text, dropped).doubts;
-    return std::ranges::count(doubts, WarningKind::favoured_by_drop, &judge::Doubt::kind);
+    const std::vector<judge::Warning> warnings = observations(text, dropped).warnings;
+    return std::ranges::count(warnings, WarningKind::favoured_by_drop, &judge::Warning::kind);
   };
   CHECK(kinds(1) == 0);
   CHECK(kinds(2) == 0);  // a tenth
@@ -360,14 +360,14 @@ TEST_CASE("one number for each label is no measurement, unless somebody says so"
     return two;
   };
   MetricSamples of = observations(unrelated(text));
-  CHECK(is_open(judge::compare(of, {}).front(), NotTested::NotTestedReason::copies));
+  CHECK(is_not_tested(judge::compare(of, {}).front(), NotTested::NotTestedReason::copies));
   CHECK(finding(unrelated(one_varies)).verdict == Verdict::worse);
   CHECK(finding(text, rows).verdict == Verdict::worse);
   CHECK(finding(text, views).verdict == Verdict::worse);
-  CHECK(observations(text, views).doubts.front().kind == WarningKind::may_be_one_measurement);
-  CHECK(observations(one_varies, views).doubts.empty());
+  CHECK(observations(text, views).warnings.front().kind == WarningKind::may_be_one_measurement);
+  CHECK(observations(one_varies, views).warnings.empty());
   const MetricSamples shares = observations("s,v\nA,1\nA,1\nA,1\nB,0\nB,0\nB,0\n");
-  CHECK_FALSE(is_open(judge::compare(shares, {}).front(), NotTested::NotTestedReason::copies));
+  CHECK_FALSE(is_not_tested(judge::compare(shares, {}).front(), NotTested::NotTestedReason::copies));
 }
 
 // A against B, the last values of a group being infinite.
@@ -392,21 +392,21 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
   CHECK(*all.p == Approx(2 / 184756.0));  // 2 / C(20, 10)
   CHECK(!all.estimate);
   CHECK(*all.effect == 1);
-  CHECK(is_open(judge::compare(observations(with_infinite(10, 10), rows), {}).front(),
-                NotTested::NotTestedReason::no_answer));
+  CHECK(is_not_tested(judge::compare(observations(with_infinite(10, 10), rows), {}).front(),
+                      NotTested::NotTestedReason::no_answer));
   const Seen turned = better_first(finding(with_infinite(10, 2), blocks), "");
   CHECK(turned.first == "B");
   CHECK(turned.verdict == Verdict::better);
   std::string differences = with_infinite(0, 3);  // a value of 0
   differences += "A,0,0\nB,0,1\n";
   CHECK(std::isinf(finding(differences, blocks).interval->low));
-  CHECK(finding(with_infinite(2, 2), rows, "5%").verdict == Verdict::undecided);
-  const MetricSamples observed = observations(with_infinite(0, 3), rows);
-  CHECK(words_of(observed.doubts.front()) == "3 of 20 values are no answers (B)");
-  CHECK(is_open(judge::compare(observed, {.test = AnalysisPlan::Test::means}).front(),
-                NotTested::NotTestedReason::infinite));
-  CHECK(std::isinf(describe(observed.groups[1]).mean));
-  CHECK(describe(observed.groups[1]).median == 11);
+  CHECK(finding(with_infinite(2, 2), rows, "5%").verdict == Verdict::inconclusive);
+  const MetricSamples samples = observations(with_infinite(0, 3), rows);
+  CHECK(warning_text(samples.warnings.front()) == "3 of 20 values are no answers (B)");
+  CHECK(is_not_tested(judge::compare(samples, {.test = AnalysisPlan::Test::means}).front(),
+                      NotTested::NotTestedReason::infinite_values));
+  CHECK(std::isinf(describe(samples.groups[1]).mean));
+  CHECK(describe(samples.groups[1]).median == 11);
   CHECK(contains(
       statements_of(with_infinite(0, 3), {.values = {"v"}, .label = {"s"}, .run = "row", .better = {"larger"}}),
       "data.csv:17:3"));
@@ -526,7 +526,7 @@ TEST_CASE("a question describes the columns, of many those that may be labels an
   const auto page_of = [](const std::string& of) {
     try {
       csv::read(of, "data.csv", {});
-    } catch (const csv::Question& question) {
+    } catch (const csv::MissingOption& question) {
       return question.columns;
     }
     return std::vector<std::vector<std::string>>();
@@ -554,8 +554,8 @@ TEST_CASE("wide files have a group a column, which may end early where rows are 
   of_two.missing = "drop";
   const MetricSamples of = observations(gaps, of_two);
   REQUIRE(of.groups.size() == 2);
-  CHECK(of.doubts.front().count == 2);  // not the two at the end of the first
-  CHECK(of.doubts.front().of == 10);
+  CHECK(of.warnings.front().count == 2);  // not the two at the end of the first
+  CHECK(of.warnings.front().total == 10);
   const Seen unequal = finding(text_in("tests/data/csv/unequal-columns.csv"), rows);
   CHECK(unequal.p.has_value());
   CHECK(list_of(observations(text_in("tests/data/csv/unequal-columns.csv"), rows).groups[1]).size() == 15);
@@ -620,9 +620,9 @@ TEST_CASE("a value counts although it is the sum or the mean of those above it")
   // Each solver fails once: the sum of its other values is infinite, too.
   const std::string failures = "A,B\n1.1,2.1\ninf,1.9\n0.9,inf\n1.3,2.3\n1.2,2.2\n1.05,2.05\n0.95,1.95\n";
   for (const Request& request : {columns, Request{.label = {"columns"}, .block = {"row"}}}) {
-    const MetricSamples observed = observations(failures, request);
-    CHECK(list_of(observed.groups[0]).back() == 0.95);
-    CHECK(list_of(observed.groups[1]).back() == 1.95);
+    const MetricSamples samples = observations(failures, request);
+    CHECK(list_of(samples.groups[0]).back() == 0.95);
+    CHECK(list_of(samples.groups[1]).back() == 1.95);
     CHECK(finding(failures, request).p.has_value());
   }
   CHECK(*finding(failures, columns).p == Approx(0.032410375));  // Brunner and Munzel's, by hand
@@ -648,9 +648,9 @@ TEST_CASE("several columns of labels or blocks are joined") {
 
 TEST_CASE("rows of a run are averaged where asked, else refused") {
   const std::string text = "solver,run,point,e\nA,1,1,1\nA,1,2,3\nA,2,1,2\nA,2,2,6\nB,1,1,9\nB,1,2,9\nB,2,1,7\n";
-  const MetricSamples observed = observations(text, {.values = {"e"}, .label = {"solver"}, .run = "run"});
-  CHECK(list_of(observed.groups[0]) == std::vector{2.0, 4.0});
-  CHECK(list_of(observed.groups[1]) == std::vector{9.0, 7.0});  // its second run has one row
+  const MetricSamples samples = observations(text, {.values = {"e"}, .label = {"solver"}, .run = "run"});
+  CHECK(list_of(samples.groups[0]) == std::vector{2.0, 4.0});
+  CHECK(list_of(samples.groups[1]) == std::vector{9.0, 7.0});  // its second run has one row
   CHECK(list_of(observations("s,p,v\nA,x,1\nA,x,2\nB,x,3\nB,x,4\n", {.block = {"p"}, .run = "row"}).groups[0]) ==
         std::vector{1.5});
   // Of B's second run a point is missing.
@@ -658,7 +658,7 @@ TEST_CASE("rows of a run are averaged where asked, else refused") {
   const MetricSamples blocks = observations(text, {.block = {"point"}, .run = "run", .missing = "drop"});
   CHECK(list_of(blocks.groups[0]) == std::vector{1.5, 4.5});
   CHECK(list_of(blocks.groups[1]) == std::vector{8.0, 9.0});
-  CHECK(blocks.doubts.front().kind == WarningKind::incomplete);
+  CHECK(blocks.warnings.front().kind == WarningKind::incomplete);
   const Request runs{.values = {"e"}, .label = {"solver"}, .block = {"run"}, .run = "run", .missing = "drop"};
   CHECK(observations(text, runs).is_paired);
 }
@@ -672,7 +672,7 @@ TEST_CASE("a run counts by its mean, however many rows it has") {
         *text += fmt::format("A,{0},{1},{2}\nB,{0},{1},{3}\n", run, step, run + step, 10 + run + step);
   longer += "B,5,3,16\nA,4,3,5\nA,4,4,5\n";  // a run's mean, again
   CHECK(missing_in(observations(longer, of_runs).groups[0]) == 0);
-  CHECK(observations(longer, of_runs).doubts.empty());
+  CHECK(observations(longer, of_runs).warnings.empty());
   CHECK(list_of(observations(longer, of_runs).groups[1]) == list_of(observations(equal, of_runs).groups[1]));
   CHECK(*finding(longer, of_runs).p == *finding(equal, of_runs).p);
   CHECK(contains(csv::read(equal, "d.csv", smaller(of_runs)).notes[0], ", means of 3 rows"));
@@ -681,7 +681,7 @@ TEST_CASE("a run counts by its mean, however many rows it has") {
   lacking.missing = "drop";
   const std::string gap = longer + "B,0,3,NA\n";
   CHECK(list_of(observations(gap, lacking).groups[1]) == list_of(observations(longer, of_runs).groups[1]));
-  CHECK(observations(gap, lacking).doubts.front().count == 1);
+  CHECK(observations(gap, lacking).warnings.front().count == 1);
   lacking.missing = "worst";
   CHECK(std::isinf(list_of(observations(gap, lacking).groups[1]).front()));
 }
@@ -690,13 +690,13 @@ TEST_CASE("values of 0 and 1 are shares, and of several runs a target too") {
   const std::vector<std::string> better{"larger"};
   MetricSamples of = observations("s,v\nA,1\nA,1\nA,0\nB,0\nB,0\nB,1\n", {.better = better});
   CHECK(of.scale == EffectScale::share);
-  CHECK(of.trials == 1);
+  CHECK(of.trials_per_observation == 1);
   CHECK(observations("s,v\nA,1\nA,NA\nA,0\nB,0\nB,0\nB,1\n", {.better = better, .missing = "drop"}).scale ==
         EffectScale::share);
   CHECK_THROWS_AS(csv::with_margin({}, "0.1", of), std::invalid_argument);
   const MetricSamples several = observations("s,p,r,v\nA,1,1,1\nA,1,2,0\nB,1,1,1\nB,1,2,1\n",
                                              {.values = {"v"}, .block = {"p"}, .run = "r", .better = better});
-  CHECK(several.trials == 2);
+  CHECK(several.trials_per_observation == 2);
   CHECK(list_of(several.groups[0]) == std::vector{0.5});
   std::string text = "s,p,r,v\n";
   for (int run = 0; run < 1000; ++run)
@@ -761,7 +761,7 @@ TEST_CASE("printed means are compared by means") {
 TEST_CASE("printed means without a spread decide nothing") {
   const Quantities read = csv::read("name,n,mean,sd\nA,20,1,0\nB,20,1.1,0\nC,20,1,0.1\nD,20,2,0.1\n", "s.csv",
                                     smaller({.are_summaries = true}));
-  CHECK(read.observed.front().doubts.size() == 2);
+  CHECK(read.observed.front().warnings.size() == 2);
   const std::vector<Seen> found = judge::compared(read.observed.front(), {});
   for (const Seen& each : found)
     CHECK((each.verdict == Verdict::not_tested) == (each.first == "A" || each.first == "B"));

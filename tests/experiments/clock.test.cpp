@@ -33,7 +33,7 @@ class Recorded final : public Solver {
 template <char name>
 SolverEntry recorded() {
   const SolverInfo info = solver_info<Recorded<name>>(std::string(1, name), "writes down", "this test");
-  return {.label = info.name, .solver = info.name, .own = std::make_shared<SolverInfo>(info)};
+  return {.label = info.name, .solver = info.name, .custom = std::make_shared<SolverInfo>(info)};
 }
 
 // Targets of a circle, each from the initial configuration.
@@ -112,12 +112,12 @@ TEST_CASE("all solvers solve a target before the next, and take turns at being f
 TEST_CASE("hot is the second call, after one on another target", "[clock]") {
   Study study = study_of_calls(5);
   study.turns = 1;
-  study.state = CacheState::hot;
+  study.state = CacheState::warm;
   study.solvers.pop_back();
   ScratchStore store;
   run(study, store, {});
   CHECK(store.sessions().front().environment.at("state") == "hot");
-  const std::vector<Pose> poses = targets(study, 1);
+  const std::vector<Pose> poses = targets_of_run(study, 1);
   std::vector<double> asked, expected;
   for (const auto& [name, x] : Calls::all) asked.push_back(x);
   for (const int target : {4, 4, 4, 0, 1, 0, 1, 2, 3, 4, 2, 3, 4})
@@ -127,7 +127,7 @@ TEST_CASE("hot is the second call, after one on another target", "[clock]") {
     study.state = state;
     return series_key(study, study.solvers.front());
   };
-  CHECK(key_of(CacheState::hot) != key_of(CacheState::first));
+  CHECK(key_of(CacheState::warm) != key_of(CacheState::first));
 }
 
 TEST_CASE("a stop cuts one session, and all others have the same targets of all solvers", "[clock]") {
@@ -153,9 +153,9 @@ TEST_CASE("a class that remembers is told of", "[clock]") {
   Recorded<'a'>::shift = 1;
   const Progress progress = run(study, store, {});
   Recorded<'a'>::shift = 0;
-  REQUIRE(progress.notes.size() == 1);
-  CHECK(progress.notes.front() == "a: it answers otherwise when it is asked again, 2 of 2 times");
+  REQUIRE(progress.anomalies.size() == 1);
+  CHECK(progress.anomalies.front() == "a: it answers otherwise when it is asked again, 2 of 2 times");
   study.stop.seconds = 1e-9;  // what the clock ends says nothing of it
   ScratchStore another;
-  CHECK(run(study, another, {}).notes.empty());
+  CHECK(run(study, another, {}).anomalies.empty());
 }

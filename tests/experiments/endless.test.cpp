@@ -9,7 +9,7 @@ constexpr double half = std::numbers::pi;
 
 TEST_CASE("no solver's answer is held at half a turn from the start", "[endless]") {
   const Study study = load_study("tests/data/endless.toml");
-  const Robot arm = arm_of(study);
+  const Robot arm = robot_of(study);
   std::map<std::string, int> held, beyond;
   solve_without_store(study, 1, [&](const SolveRecord& solve) {
     CHECK(solve.largest_move_deg <= 180 * (1 + 1e-12));
@@ -39,11 +39,11 @@ TEST_CASE("a joint without end moves the shorter way round, and any other as far
   const auto verified = [&](double first, double second) {
     return verify(arm, Pose::Identity(), start, Eigen::VectorXd(start + Eigen::Vector2d(first, second)));
   };
-  CHECK(verified(2 * half + 0.3, 0).variation == Approx(0.3));
+  CHECK(verified(2 * half + 0.3, 0).joint_motion == Approx(0.3));
   CHECK(verified(-4 * half - 0.3, 0).largest_move == Approx(0.3));
-  CHECK(verified(1.5 * half, 0).variation == Approx(half / 2));
-  CHECK(verified(3, 0).variation == 3);
-  CHECK(verified(0, 1.5 * half).variation == Approx(1.5 * half));
+  CHECK(verified(1.5 * half, 0).joint_motion == Approx(half / 2));
+  CHECK(verified(3, 0).joint_motion == 3);
+  CHECK(verified(0, 1.5 * half).joint_motion == Approx(1.5 * half));
   CHECK(verified(100, 0).limit_violation == 0);
 }
 

@@ -28,7 +28,7 @@ TEST_CASE("the first alternative of every dimension is the default, and every ot
     return keys;
   };
   std::set<std::string> names, earlier;  // settings of the dimensions before
-  for (const Dimension& dimension : dimensions("slim2023")) {
+  for (const Dimension& dimension : read_dimensions("slim2023")) {
     const std::string& first = dimension.front().set;
     const std::string name = first.substr(0, first.find('=') + 1);
     CHECK(names.insert(name).second);
@@ -93,7 +93,8 @@ TEST_CASE("the parts of a plan have the means of their runs, by any number of jo
   const std::string set = GENERATE("limits=recorded", "limits=enforced", "wrap=into_limits");
   const Overrides few{set, "runs=3", "path.points=3", "stop.iterations=6", "population=6"};
   const auto parts = plan_multiverse("slim2023", {branch}, 1, few).parts;
-  const std::vector<SeriesMeans> means = solve_parts(parts, {.jobs = 1}), again = solve_parts(parts, {.jobs = 3});
+  const std::vector<SeriesMeans> means = solve_multiverse(parts, {.jobs = 1}),
+                                 again = solve_multiverse(parts, {.jobs = 3});
   REQUIRE(means.size() == parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     CHECK(again[i].error_cm == means[i].error_cm);
@@ -114,5 +115,5 @@ TEST_CASE("the parts of a plan have the means of their runs, by any number of jo
   std::atomic<bool> cancelled{false};
   const RunRequest request{.progress = [&](const Progress& progress) { cancelled = progress.done > 0; },
                            .cancelled = &cancelled};
-  CHECK(solve_parts(parts, request).empty());
+  CHECK(solve_multiverse(parts, request).empty());
 }

@@ -53,10 +53,10 @@ Study study_of_faulty(const std::string& search) {
   Study study = read("search = '" + search +
                      "'\nstart = 'initial'\nruns = 1\nturns = 1\npath = { kind = 'circle', points = 4 }\n"
                      "stop = { iterations = 3 }\nsolvers = [{ solver = 'random_search' }]\n");
-  const std::vector<Pose> poses = targets(study, 1);
+  const std::vector<Pose> poses = targets_of_run(study, 1);
   Faulty::middle = {Faulty::place_of(poses[1]), Faulty::place_of(poses[2])};
   const SolverInfo faulty = solver_info<Faulty>("faulty", "does not do as it should", "this test");
-  study.solvers = {{.label = "mine", .solver = faulty.name, .own = std::make_shared<SolverInfo>(faulty)}};
+  study.solvers = {{.label = "mine", .solver = faulty.name, .custom = std::make_shared<SolverInfo>(faulty)}};
   return study;
 }
 
@@ -79,16 +79,17 @@ std::string statements_of(const std::string& place, const std::function<void(Bes
 // Every reader takes a store's solves: the check of its rows, a merge, an export, a report.
 void check_that_all_read(const StoredStudy& study, const Store& store, const std::filesystem::path& folder) {
   const std::vector<SolveRecord> solves = store.solves(study.name);
-  CHECK(complaint<std::invalid_argument>([&] { std::ranges::for_each(solves, recheck_of(study)); }) == "");
+  CHECK(complaint<std::invalid_argument>([&] { std::ranges::for_each(solves, stored_solve_check(study)); }) == "");
   std::filesystem::remove(folder / "merged.sqlite");
-  CHECK(results::merge(folder / "merged.sqlite", {folder / "store.sqlite"}, recheck_of).added == std::ssize(solves));
+  CHECK(results::merge(folder / "merged.sqlite", {folder / "store.sqlite"}, stored_solve_check).added ==
+        std::ssize(solves));
   CHECK(fingerprint(Store(folder / "merged.sqlite", Store::Mode::read), study).text == fingerprint(store, study).text);
   std::string csv;
-  write_csv([&](const SolveVisitor& take) { store.each_of_study(study, take); },
+  write_csv([&](const SolveVisitor& take) { store.for_each_in_study(study, take); },
             [&](std::string_view part) { csv += part; }, store.extra_names(study));
   CHECK(parse_csv(csv, "solves.csv").rows() == solves.size());
-  show::publish(show::make_report(judge::judge(judge::read_study(store, study)), {}), folder / "report",
-                {.only = {"none"}});
+  show::write_report(show::make_report(judge::judge(judge::read_study(store, study)), {}), folder / "report",
+                     {.only = {"none"}});
   CHECK(parsed_json(text_in(folder / "report/results.json")).is_object());
 }
 
@@ -166,8 +167,8 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
       std::vector<SolveRecord> made;
       solve_without_store(study, 1, [&](SolveRecord solve) { made.push_back(std::move(solve)); });
       if (noted.size() < 20) CHECK(same_numbers(only("mine", made), odd));  // longer ones are cut
-      REQUIRE(progress.notes.size() == (told.empty() ? 0 : 1));
-      if (!told.empty()) CHECK_THAT(progress.notes[0], StartsWith("mine: ") && ContainsSubstring(told));
+      REQUIRE(progress.anomalies.size() == (told.empty() ? 0 : 1));
+      if (!told.empty()) CHECK_THAT(progress.anomalies[0], StartsWith("mine: ") && ContainsSubstring(told));
     }
     Faulty::noted = "", Faulty::asks = true;
   }
@@ -179,12 +180,12 @@ TEST_CASE("of records with any odd number, every reader takes what may be writte
   study.runs = 1000;
   Faulty::place = "";
   const StoredStudy stored = to_stored(study);
-  SolveRecord odd = solve_once(study, study.solvers.front(), targets(study, 1).front());
+  SolveRecord odd = solve_once(study, study.solvers.front(), targets_of_run(study, 1).front());
   odd.session = 1;
   const SolveRecord good = odd;
   std::vector<SolveRecord> taken;
   int offered = 0;
-  const auto offer = [&, check = check_of(stored)](auto member, const auto& value) {
+  const auto offer = [&, check = answer_check(stored)](auto member, const auto& value) {
     odd = good;
     odd.*member = value;
     odd.run = static_cast<int>(taken.size()) + 1;
@@ -226,7 +227,7 @@ TEST_CASE("a solve that no reader would take ends the run with its place, and th
   const StoredStudy stored = to_stored(study);
   Faulty::place = "", Faulty::asks = false;
   ScratchStore store;
-  const auto request = RunRequest{.patience = std::chrono::milliseconds(10'000)};
+  const auto request = RunRequest{.flush_interval = std::chrono::milliseconds(10'000)};
   CHECK_THAT(complaint<std::runtime_error>([&] { run(study, stored, store, request); }),
              ContainsSubstring("mine, run 1, point 2: it has 0 evaluations"));
   CHECK(store.solves(study.name).size() == 1);

@@ -24,7 +24,7 @@ std::vector<Path> with_points(int count) {
                         load_study((folder.path / "study.toml").string()).path};
   for (const char* kind : {"helix", "circle", "random"})
     all.push_back(path_of({fmt::format("kind={}", kind), fmt::format("points={}", count)}));
-  CHECK(all.size() == paths().size());
+  CHECK(all.size() == target_sets().size());
   return all;
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("the Dobot's circle is level, its 20 points 18 degrees apart from the 
   for (std::size_t k = 0; k < 20; ++k) {
     const double t = 18 * pi / 180 * static_cast<double>(k);
     CHECK(near(circle[k].translation(), {0.16 + 0.07 * std::cos(t), 0.16 + 0.07 * std::sin(t), 0.0}));
-    CHECK(circle[k].linear() == rotation(ToolOrientation::down));
+    CHECK(circle[k].linear() == tool_rotation(ToolOrientation::down));
   }
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("a circle has its own centre, radius, points and tool", "[path]") {
   REQUIRE(circle.size() == 4);
   CHECK(near(circle[1].translation(), {0.1, 0.3, 0.3}));
   CHECK(near(circle[2].translation(), {-0.4, -0.2, 0.3}));
-  CHECK(circle[3].linear() == rotation(ToolOrientation::eq27));
+  CHECK(circle[3].linear() == tool_rotation(ToolOrientation::eq27));
 }
 
 TEST_CASE("random targets are tool poses of configurations within the limits, on every arm", "[path]") {
@@ -129,16 +129,16 @@ TEST_CASE("drawn targets differ from stream to stream, others know no stream, an
     Random random(Key(1)), again(Key(1)), other(Key(2)), untouched(Key(2));
     const std::vector<Pose> poses = path->poses(arm, random);
     CHECK(same_poses(path->poses(arm, again), poses));
-    CHECK(same_poses(path->poses(arm, other), poses) == !path->is_drawn());
-    CHECK((other.uniform() == untouched.uniform()) == !path->is_drawn());
+    CHECK(same_poses(path->poses(arm, other), poses) == !path->is_random());
+    CHECK((other.uniform() == untouched.uniform()) == !path->is_random());
     Random third(Key(1));
-    CHECK(same_poses(path->poses(other_arm, third), poses) == !path->is_drawn());
+    CHECK(same_poses(path->poses(other_arm, third), poses) == !path->is_random());
   }
 }
 
 TEST_CASE("every kind of path has a name and words of its own", "[path]") {
   std::set<std::string_view> names, summaries;
-  for (const Path& path : paths()) {
+  for (const Path& path : target_sets()) {
     CHECK(names.insert(path->name()).second);
     CHECK(summaries.insert(path->summary()).second);
     CHECK(path->summary().size() > 5);
@@ -149,11 +149,12 @@ TEST_CASE("every kind of path has a name and words of its own", "[path]") {
 // ---- orientation --------------------------------------------------------------------------------------------------
 
 TEST_CASE("both tools are rotations, and every point of a path has its tool's", "[path][paper]") {
-  CHECK(rotation(ToolOrientation::down) == Eigen::Matrix3d(Eigen::Vector3d(-1, 1, -1).asDiagonal()));  // to the floor
-  CHECK(rotation_from_rpy({pi, 0, pi}).isApprox(rotation(ToolOrientation::down), 1e-15));
-  CHECK(rotation(ToolOrientation::eq27).col(2) == Eigen::Vector3d(0, 1, 0));  // level
+  CHECK(tool_rotation(ToolOrientation::down) ==
+        Eigen::Matrix3d(Eigen::Vector3d(-1, 1, -1).asDiagonal()));  // to the floor
+  CHECK(rotation_from_rpy({pi, 0, pi}).isApprox(tool_rotation(ToolOrientation::down), 1e-15));
+  CHECK(tool_rotation(ToolOrientation::eq27).col(2) == Eigen::Vector3d(0, 1, 0));  // level
   for (const ToolOrientation tool : {ToolOrientation::down, ToolOrientation::eq27}) {
-    const Eigen::Matrix3d R = rotation(tool);
+    const Eigen::Matrix3d R = tool_rotation(tool);
     CHECK(R * R.transpose() == Eigen::Matrix3d::Identity());
     CHECK(R.determinant() == 1);
     const std::string name = tool == ToolOrientation::down ? "down" : "eq27";

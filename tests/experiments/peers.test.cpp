@@ -9,9 +9,9 @@ const std::string own_entry = "[[solvers]]\nsolver = \"ik_bat\"\n";
 
 TEST_CASE("an entry says whether the study goes on where its solver was not built", "[study][peers]") {
   const Study study = read(own_entry + "if_missing = \"leave_out\"\n");
-  CHECK(study.solvers.front().if_missing == IfMissing::leave_out);
-  CHECK(study.left_out.empty());
-  CHECK(read(to_toml(study)).solvers.front().if_missing == IfMissing::leave_out);
+  CHECK(study.solvers.front().if_missing == IfMissing::skip);
+  CHECK(study.skipped.empty());
+  CHECK(read(to_toml(study)).solvers.front().if_missing == IfMissing::skip);
   CHECK(series_key(study, study.solvers.front()) == series_key(read(own_entry), read(own_entry).solvers.front()));
   CHECK_THROWS_WITH(read(own_entry + "if_missing = \"skip\"\n"), ContainsSubstring("one of \"refuse\", \"leave_out\""));
 }
@@ -25,9 +25,9 @@ TEST_CASE("a study that names a peer that was not built is refused, or goes on w
     CHECK(said.starts_with("my.toml:2"));
     CHECK(contains(said, peer.how));
     const Study without = read(entry + "if_missing = \"leave_out\"\n" + own_entry);
-    REQUIRE(without.left_out.size() == 1);
-    CHECK(without.left_out.front().label == "theirs");
-    CHECK(without.left_out.front().why == peer.how);
+    REQUIRE(without.skipped.size() == 1);
+    CHECK(without.skipped.front().label == "theirs");
+    CHECK(without.skipped.front().reason == peer.how);
     CHECK(labels_of(without) == std::vector<std::string>{"ik_bat"});
     CHECK(to_toml(without).find("# left out: theirs is not built") != std::string::npos);
   }
@@ -45,7 +45,7 @@ TEST_CASE("a solver that cannot solve for the study's arm or search is refused w
 TEST_CASE("nobody counts the evaluations of a library with kinematics of its own", "[peers]") {
   Study study = load_study("baselines", {"path.points=2", "runs=1", "stop.iterations=20"});
   study.solvers.clear();
-  for (const SolverInfo& info : solvers_for(arm_of(study).chain, GoalKind::pose)) {
+  for (const SolverInfo& info : solvers_for(robot_of(study).chain, GoalKind::pose)) {
     study.solvers.push_back({info.name, info.name, {}, 10});
   }
   for (const results::SolveRecord& record : planned_solve_count(study)) {

@@ -22,7 +22,7 @@ double largest_distance_cm(const Path& path) {
 
 double largest_unreachable_cm(const Path& path) {
   double largest = 0;
-  for (const UnreachableTarget& target : unreachable(with_path(path)))
+  for (const UnreachableTarget& target : unreachable_targets(with_path(path)))
     largest = std::max(largest, target.distance * 100);
   return largest;
 }
@@ -31,10 +31,10 @@ double largest_unreachable_cm(const Path& path) {
 
 TEST_CASE("the tool straight down, the helix is fully reachable: 81.53 cm of 82, to its end 81.99",
           "[reachability][paper]") {
-  CHECK(unreachable(load_study("slim2023")).empty());
+  CHECK(unreachable_targets(load_study("slim2023")).empty());
   CHECK(largest_distance_cm(Study{}.path) == Approx(81.53).margin(0.005));
   const Path helix = path_of({"spacing=k_over_n_minus_1"});
-  CHECK(unreachable(with_path(helix)).empty());
+  CHECK(unreachable_targets(with_path(helix)).empty());
   CHECK(largest_distance_cm(helix) == Approx(81.99).margin(0.005));
 }
 
@@ -58,7 +58,7 @@ TEST_CASE("an unreachable target is named by its place on the path, with distanc
   Pose near = Pose::Identity(), far = Pose::Identity();
   near.translation() << 0.3, 0, 0.5;
   far.translation() << 1.0, 0, 0.486;  // wrist at (1.0, 0, 0.36): 1 m from the shoulder
-  const std::vector<UnreachableTarget> found = unreachable(with_path(path_through({near, far, near})));
+  const std::vector<UnreachableTarget> found = unreachable_targets(with_path(path_through({near, far, near})));
   REQUIRE(found.size() == 1);
   CHECK(found[0].point == 2);
   CHECK(found[0].distance == Approx(1.0));
@@ -73,7 +73,7 @@ TEST_CASE("searching all joints, for a position or a pose, the tool counts, with
   Study study = with_path(path_through({inside, outside}));
   for (const Search search : {Search::all_joints, Search::pose}) {
     study.search = search;
-    const std::vector<UnreachableTarget> found = unreachable(study);
+    const std::vector<UnreachableTarget> found = unreachable_targets(study);
     REQUIRE(found.size() == 1);
     CHECK(found[0].point == 2);
     CHECK(found[0].reach == Approx(0.946));
@@ -82,10 +82,10 @@ TEST_CASE("searching all joints, for a position or a pose, the tool counts, with
 
 TEST_CASE("the Dobot reaches the paper's circle, and random targets are reachable by the way they are made",
           "[reachability][paper]") {
-  CHECK(unreachable(load_study("slim2023-dobot")).empty());
-  CHECK(unreachable(load_study("slim2023-time")).empty());
+  CHECK(unreachable_targets(load_study("slim2023-dobot")).empty());
+  CHECK(unreachable_targets(load_study("slim2023-time")).empty());
   // Shoulder at 5.8 cm, reach 13.5 + 14.7 + 6.1 = 34.3 cm: 33.8 cm from the base's axis at z = 0. The centre is 22.6 cm
   // from it, at 45 deg; with 12 cm the points at 36 and 54 deg are 34.5 cm away, those at 18 and 72 deg 33.76 cm.
-  CHECK(unreachable(load_study("slim2023-dobot", {"path.radius_cm=11"})).empty());
-  CHECK(unreachable(load_study("slim2023-dobot", {"path.radius_cm=12"})).size() == 2);
+  CHECK(unreachable_targets(load_study("slim2023-dobot", {"path.radius_cm=11"})).empty());
+  CHECK(unreachable_targets(load_study("slim2023-dobot", {"path.radius_cm=12"})).size() == 2);
 }

@@ -13,7 +13,7 @@ Progress run_for(const Study& study, Store& store, std::int64_t solves) {
 Study study_of_every_solver() {
   Study study = small_study();
   study.solvers.clear();
-  for (const SolverInfo& info : solvers_for(arm_of(study).chain, GoalKind::position)) {
+  for (const SolverInfo& info : solvers_for(robot_of(study).chain, GoalKind::position)) {
     study.solvers.push_back({info.name, info.name, {}, std::max(study.population, info.least_population)});
   }
   return study;
@@ -27,7 +27,7 @@ Study small_random_study() {
 
 Pose at(double x, double y, double z) {
   Pose pose = Pose::Identity();
-  pose.linear() = rotation(ToolOrientation::down);
+  pose.linear() = tool_rotation(ToolOrientation::down);
   pose.translation() << x, y, z;
   return pose;
 }
@@ -300,14 +300,14 @@ TEST_CASE("random targets are those of the run: the same for all solvers, others
     std::vector<double> target = record.target_position_m;
     target.insert(target.end(), record.target_rotation.begin(), record.target_rotation.end());
     CHECK(seen.try_emplace({record.run, record.point}, target).first->second == target);
-    const Pose expected = targets(study, record.run)[static_cast<std::size_t>(record.point - 1)];
+    const Pose expected = targets_of_run(study, record.run)[static_cast<std::size_t>(record.point - 1)];
     CHECK(Eigen::Vector3d(record.target_position_m.data()) == expected.translation());
   }
   CHECK(seen.size() == 8);
   CHECK(seen.at({1, 1}) != seen.at({2, 1}));
 
   study.seed = 2;
-  CHECK(targets(study, 2)[3].matrix() != targets(small_random_study(), 2)[3].matrix());
+  CHECK(targets_of_run(study, 2)[3].matrix() != targets_of_run(small_random_study(), 2)[3].matrix());
 }
 
 // ---- limits, enforced ---------------------------------------------------------------------------------------------
@@ -315,7 +315,7 @@ TEST_CASE("random targets are those of the run: the same for all solvers, others
 TEST_CASE("where limits are enforced no solver takes any joint of the arm outside them", "[runner][solvers]") {
   for (const WristBranch branch : {WristBranch::nearest, WristBranch::positive, WristBranch::negative}) {
     Study study = study_of_every_solver();
-    study.limits = Limits::enforced;
+    study.limits = LimitPolicy::enforced;
     study.wrist_branch = branch;
     const JointLimits limits = robot(study.robot).limits;
     for (const SolveRecord& record : planned_solve_count(study)) {
@@ -329,12 +329,12 @@ TEST_CASE("where limits are enforced no solver takes any joint of the arm outsid
 
 TEST_CASE("a refused answer leaves the arm where it was, and the record tells of that", "[runner]") {
   Study study = load_study("slim2023-50");  // with the wrist's limits, some points are out of reach for some arms
-  study.limits = Limits::enforced;
+  study.limits = LimitPolicy::enforced;
   study.solvers = {{"BA", "bat", {}}, {"DE", "differential_evolution", {}}};
   study.stop.iterations = 20;
   study.runs = 3;
   const Robot arm = robot(study.robot);
-  const std::vector<Pose> poses = targets(study, 1);
+  const std::vector<Pose> poses = targets_of_run(study, 1);
   int refused = 0;
   const std::vector<SolveRecord> records = planned_solve_count(study);
   for (std::size_t i = 0; i < records.size(); ++i) {
@@ -363,21 +363,21 @@ TEST_CASE("where limits are enforced the wrist takes the branch inside, whicheve
   study.solvers = {{"DLS", "damped_least_squares", {{"bounds", "clamp"}}}};
   study.stop = {.iterations = 200, .tolerance = 1e-6};
   const Robot arm = robot(study.robot);
-  const auto status = [&](const Pose& target, Limits limits, WristBranch branch) {
+  const auto status = [&](const Pose& target, LimitPolicy limits, WristBranch branch) {
     study.limits = limits;
     study.wrist_branch = branch;
     return solve_once(study, study.solvers[0], target).status;
   };
   int by_turning = 0, by_no_means = 0;
   study.path = path_of({"kind=random", "points=60"});
-  for (const Pose& target : targets(study, 1)) {
-    const Status positive = status(target, Limits::recorded, WristBranch::positive);
-    const Status negative = status(target, Limits::recorded, WristBranch::negative);
+  for (const Pose& target : targets_of_run(study, 1)) {
+    const Status positive = status(target, LimitPolicy::recorded, WristBranch::positive);
+    const Status negative = status(target, LimitPolicy::recorded, WristBranch::negative);
     const bool one_is_inside = positive == Status::ok || negative == Status::ok;
     const Status expected = one_is_inside ? Status::ok : Status::refused;
     for (const WristBranch branch :
          {WristBranch::nearest, WristBranch::positive, WristBranch::negative, WristBranch::inside}) {
-      CHECK(status(target, Limits::enforced, branch) == expected);
+      CHECK(status(target, LimitPolicy::enforced, branch) == expected);
     }
     by_turning += one_is_inside && positive != negative ? 1 : 0;
     by_no_means += one_is_inside ? 0 : 1;
@@ -504,7 +504,7 @@ TEST_CASE("wrist_turns = nearest turns a wrist angle by whole turns, to at most 
   Study study = small_study();
   study.wrist_branch = WristBranch::positive;
   study.initial << 0.1, 0.5, 0.2, -0.9, 3.1, 0.8, -9.0;
-  const Pose target = targets(study, 1)[0];
+  const Pose target = targets_of_run(study, 1)[0];
   const SolveRecord principal = solve_once(study, study.solvers[0], target);
   study.wrist_turns = WristTurns::nearest;
   const SolveRecord nearest = solve_once(study, study.solvers[0], target);
@@ -521,7 +521,7 @@ TEST_CASE("wrist_turns = nearest turns a wrist angle by whole turns, to at most 
 TEST_CASE("the nearest branch moves the wrist no further than either of the two", "[runner]") {
   Study study = small_study();
   study.initial << 0.1, 0.5, 0.2, -0.9, 0.3, -0.8, 0.4;
-  const Pose target = targets(study, 1)[0];
+  const Pose target = targets_of_run(study, 1)[0];
   const auto wrist_move = [&](WristBranch branch) {
     study.wrist_branch = branch;
     const SolveRecord record = solve_once(study, study.solvers[0], target);
@@ -583,7 +583,7 @@ TEST_CASE("every solve knows its session, and the session its machine and its jo
   Study study = small_study();
   run_for(study, scratch, 4);
   study.turns = 1;
-  study.left_out = {{"theirs", "it was not built"}};
+  study.skipped = {{"theirs", "it was not built"}};
   run(study, scratch, {.jobs = 2});
   const std::vector<results::Session> sessions = scratch.sessions();
   REQUIRE(sessions.size() == 3);  // the rest of the first run, and the second

@@ -72,7 +72,7 @@ inline experiments::Path path_through(std::vector<robots::Pose> poses) {
 inline std::vector<robots::Pose> poses_of(const experiments::Path& path) {
   experiments::Study study;
   study.path = path;
-  return experiments::targets(study, 1);
+  return experiments::targets_of_run(study, 1);
 }
 
 // Two runs of three solvers over four points of the paper's helix: 24 solves.

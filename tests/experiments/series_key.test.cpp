@@ -91,10 +91,10 @@ TEST_CASE("each field of a study decides the series, unless the list of fields s
 }
 
 TEST_CASE("each field of each kind of path decides the series", "[series][path]") {
-  for (std::size_t kind = 0; kind < paths().size(); ++kind) {
+  for (std::size_t kind = 0; kind < target_sets().size(); ++kind) {
     for (int field = 0;; ++field) {
       Study study = small_study();
-      study.path = paths()[kind];
+      study.path = target_sets()[kind];
       const std::vector<std::string> plain = all_keys_of(study);
       Changer changer(field);
       study.path->list_fields(changer);
@@ -110,7 +110,7 @@ TEST_CASE("each field of each kind of path decides the series", "[series][path]"
 
 TEST_CASE("targets are the same whatever kind of path they are of", "[series][path]") {
   Study study = small_study();
-  study.path = path_through(targets(study, 1));
+  study.path = path_through(targets_of_run(study, 1));
   CHECK(all_keys_of(study) == all_keys_of(small_study()));
 }
 
@@ -203,7 +203,7 @@ TEST_CASE("the study's bounds reach every solver that has bounds, and trouble no
     }
   }
   study.bounds = BoundsPolicy::per_solver;
-  study.limits = Limits::enforced;
+  study.limits = LimitPolicy::enforced;
   for (const SolverInfo& info : all_solvers()) {
     const Settings options = effective_options(study, {"A", info.name, {}});
     if (options.contains("bounds")) CHECK(text_of(options.at("bounds")) != "initial");  // it would end outside

@@ -15,9 +15,9 @@ TEST_CASE("every part of a study is in one shard, and all solvers with it", "[sh
         for (int point = 1; point <= 3; ++point) {
           int shards = 0;
           for (int index = 1; index <= count; ++index) {
-            if (!contains({index, count}, study, run, point)) continue;
+            if (!is_in_shard({index, count}, study, run, point)) continue;
             ++shards;
-            if (is_chained) CHECK(contains({index, count}, study, run, 1));  // a chain is never cut
+            if (is_chained) CHECK(is_in_shard({index, count}, study, run, 1));  // a chain is never cut
           }
           CHECK(shards == 1);
         }

@@ -10,13 +10,13 @@ Study study_with(const std::string& robot) {
   study.robot = robot;
   study.path = path_of({"kind=random", "points=3"});
   study.search = Search::all_joints;
-  study.initial = Eigen::VectorXd::Zero(arm_of(study).joints());
+  study.initial = Eigen::VectorXd::Zero(robot_of(study).joints());
   return study;
 }
 
 // The complaint about the solves; empty if there is none.
 std::string refused_row(const StoredStudy& entry, const std::vector<SolveRecord>& solves) {
-  return complaint<std::invalid_argument>([&] { std::ranges::for_each(solves, recheck_of(entry)); });
+  return complaint<std::invalid_argument>([&] { std::ranges::for_each(solves, stored_solve_check(entry)); });
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ TEST_CASE("an answer far beyond a slide's way follows from itself", "[recheck]")
   const Verification of = verify(arm, target, vector(far.start_rad), vector(far.answer_rad));
   far.reached_position_m.assign(of.reached.begin(), of.reached.end());
   far.position_error_cm = far.claimed_error_cm = of.position_error / centimetre;
-  far.variation_m = of.variation_m;
+  far.variation_m = of.joint_motion_m;
   far.limit_violation_m = of.limit_violation_m;
   CHECK(refused_row(to_stored(study), {far}) == "");
 }
@@ -130,7 +130,7 @@ TEST_CASE("a solve of a program that kept its budget has not spent 1.5 times as 
   study.stop.evaluations = 1000;
   StoredStudy entry = to_stored(study);
   SolveRecord solve = planned_solve_count(study).front();
-  REQUIRE(is_in_order(solve.status));
+  REQUIRE(is_sound(solve.status));
   solve.counted_by = CountedBy::solver;
   solve.evaluations = 1500;
   for (Series& series : entry.series) series.options = R"({"kind":"process"})";
@@ -181,11 +181,11 @@ TEST_CASE("solves are made again from the store alone, and another bit or count 
     Store store(folder.path / name, Store::Mode::write);
     store.save_study(entry);
     store.append(rows);
-    return solve_again(store, entry, 1000);
+    return rerun_sample(store, entry, 1000);
   };
   const RerunReport found = found_in("as_made", solves);
-  CHECK(found.of == std::ssize(solves));
-  CHECK(found.solves == found.of);
+  CHECK(found.eligible == std::ssize(solves));
+  CHECK(found.solves == found.eligible);
   for (const std::string what : {"evaluations", "restarts", "another answer"}) {
     std::vector<SolveRecord> forged = solves;
     if (what == "evaluations") --forged.back().evaluations;
@@ -197,13 +197,13 @@ TEST_CASE("solves are made again from the store alone, and another bit or count 
   StoredStudy renamed = entry;
   renamed.series.front().algorithm = "newton";
   const ScratchStore empty;
-  CHECK_THAT(complaint<std::invalid_argument>([&] { solve_again(empty, renamed, 1000); }),
+  CHECK_THAT(complaint<std::invalid_argument>([&] { rerun_sample(empty, renamed, 1000); }),
              ContainsSubstring("its solves are by ik_bat, not by newton"));
   StoredStudy odd = entry;
   for (const char* population : {"\"x\"", "-5", "1e300", "2000000000"}) {
     odd.series.front().options = fmt::format("{{\"population\": {}}}", population);
-    CHECK_THAT(complaint<std::invalid_argument>([&] { recheck_of(odd); }), ContainsSubstring("population"));
+    CHECK_THAT(complaint<std::invalid_argument>([&] { stored_solve_check(odd); }), ContainsSubstring("population"));
   }
   for (Series& series : entry.series) series.key.back() = series.key.back() == '0' ? '1' : '0';
-  CHECK(found_in("of_other_source", {}).of_other_source.size() == entry.series.size());
+  CHECK(found_in("of_other_source", {}).changed_source.size() == entry.series.size());
 }

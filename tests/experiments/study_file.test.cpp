@@ -27,17 +27,17 @@ TEST_CASE("a built-in study is a file in experiments/studies, which has the stud
     CHECK(to_toml(load_study(entry.path().string())) == to_toml(load_study(files.back())));
   }
   std::ranges::sort(files);
-  for (const Study& study : studies()) names.push_back(study.name);
+  for (const Study& study : built_in_studies()) names.push_back(study.name);
   CHECK(names == files);
 }
 
 TEST_CASE("every built-in study comes back from its file with the same series", "[study]") {
-  for (Study study : studies()) {
+  for (Study study : built_in_studies()) {
     INFO(study.name);
     study.solvers.back().colour = "#123456";
     Study again = read(to_toml(study));
-    CHECK(again.left_out.empty());  // for peers that are not built, the file has only comments
-    again.left_out = study.left_out;
+    CHECK(again.skipped.empty());  // for peers that are not built, the file has only comments
+    again.skipped = study.skipped;
     CHECK(keys_of(again) == keys_of(study));
     CHECK(to_toml(again) == to_toml(study));
     CHECK(to_json(again) == to_json(study));
@@ -66,7 +66,7 @@ TEST_CASE("a path of any kind comes back as it was", "[study]") {
   const std::vector<Path> all{path_of({"points=3"}), path_of({"kind=circle", "radius_cm=7.3", "points=9", "tool=eq27"}),
                               path_of({"kind=random", "points=7", "set=edge", "beyond_percent=20"}),
                               path_through({Pose::Identity()})};
-  CHECK(all.size() + 1 == paths().size());  // poses of a CSV file: pose_csv.test.cpp
+  CHECK(all.size() + 1 == target_sets().size());  // poses of a CSV file: pose_csv.test.cpp
   for (const Path& path : all) {
     Study study = small_study();
     study.path = path;
@@ -79,18 +79,18 @@ TEST_CASE("a path of any kind comes back as it was", "[study]") {
     const nlohmann::json json = nlohmann::json::parse(to_json(study));
     CHECK(json["points"] == path->points());
     CHECK(json["path"]["kind"] == path->name());
-    CHECK(json["path"].value("targets", "") == (path->is_drawn() ? "drawn" : ""));
+    CHECK(json["path"].value("targets", "") == (path->is_random() ? "drawn" : ""));
   }
 }
 
 TEST_CASE("the poses of Haviland and Corke are NumPy's, and so is their start", "[study][paper]") {
   const Study study = load_study("haviland2023");
-  const Robot arm = arm_of(study);
+  const Robot arm = robot_of(study);
   Random numpy = Random::of_numpy(0, 0), after = Random::of_numpy(0, 60'000);
   for (const int run : {1, 2, 3}) {
     Configuration q(6);
     for (double& angle : q) angle = numpy.uniform(-180 * degree, 180 * degree);
-    CHECK(targets(study, run).front().isApprox(arm.chain.forward(q), 1e-12));
+    CHECK(targets_of_run(study, run).front().isApprox(arm.chain.forward(q), 1e-12));
   }
   for (const double angle : study.initial) CHECK(angle == Approx(after.uniform(-180 * degree, 180 * degree)));
   CHECK_THROWS_WITH(load_study("haviland2023", {"path.set=edge"}), ContainsSubstring("anywhere"));
@@ -124,7 +124,7 @@ TEST_CASE("poses come back bit for bit, also minus zero and what no number of ce
   poses.push_back(minus_zero);
   Study study = small_study();
   study.path = path_through(poses);
-  const std::vector<Pose> again = targets(read(to_toml(study)), 1);
+  const std::vector<Pose> again = targets_of_run(read(to_toml(study)), 1);
   REQUIRE(again.size() == poses.size());
   int different = 0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -138,14 +138,14 @@ TEST_CASE("poses come back bit for bit, also minus zero and what no number of ce
 
 TEST_CASE("a pose may say its turn as roll, pitch and yaw, as a matrix, or not at all", "[study]") {
   const std::vector<Pose> poses =
-      targets(read("[path]\nkind = \"poses\"\nposes = [\n"
-                   "  { position_cm = [60, 0, 35], rpy_deg = [180, 0, 180] },\n"
-                   "  { position_cm = [1, 2, 3], rotation = [0, -1, 0, 1, 0, 0, 0, 0, 1] },\n"
-                   "  { position_m = [0.01, 0.02, 0.03] }]\n" +
-                   solver_entry),
-              1);
+      targets_of_run(read("[path]\nkind = \"poses\"\nposes = [\n"
+                          "  { position_cm = [60, 0, 35], rpy_deg = [180, 0, 180] },\n"
+                          "  { position_cm = [1, 2, 3], rotation = [0, -1, 0, 1, 0, 0, 0, 0, 1] },\n"
+                          "  { position_m = [0.01, 0.02, 0.03] }]\n" +
+                          solver_entry),
+                     1);
   REQUIRE(poses.size() == 3);
-  CHECK(poses[0].linear().isApprox(rotation(ToolOrientation::down), 1e-15));
+  CHECK(poses[0].linear().isApprox(tool_rotation(ToolOrientation::down), 1e-15));
   CHECK(poses[0].translation().isApprox(Eigen::Vector3d(0.60, 0, 0.35), 1e-15));
   CHECK(poses[1].linear().col(0) == Eigen::Vector3d(0, 1, 0));  // row by row: x becomes y
   CHECK(poses[2].linear() == Eigen::Matrix3d::Identity());
@@ -194,8 +194,8 @@ TEST_CASE("a study's arm may be a file in the study's folder, and for --set in t
   write_text(file, "robot = \"slider.toml\"\nsearch = \"all_joints\"\npath.kind = \"helix\"\n" + solver_entry);
   const Study study = load_study(file);
   CHECK(study.robot == "slider.toml");
-  CHECK(arm_of(study).name == "slider");
-  CHECK(arm_of(study).joints() == 2);
+  CHECK(robot_of(study).name == "slider");
+  CHECK(robot_of(study).joints() == 2);
   CHECK(study.initial == Eigen::Vector2d(0, 0.125));  // as near to zeros as the limits allow
 
   // Degrees, and metres for a slide, there and back.
@@ -227,7 +227,7 @@ TEST_CASE("a study's arm may be a file in the study's folder, and for --set in t
   CHECK(keys_of(load_study(file, {"robot=" + (folder.path / "same.toml").string()})) == keys_of(study));
   write_text(other, "links = [{ a_m = 0.5 }, { joint = \"slides\", limits_m = [0.125, 0.5] }]\n");
   CHECK(keys_of(load_study(file)) != keys_of(study));
-  CHECK(arm_of(study).chain.tool().rpy.y() == std::numbers::pi / 2);  // read once
+  CHECK(robot_of(study).chain.tool().rpy.y() == std::numbers::pi / 2);  // read once
 
   write_text(other, "links = [\n  { a_m = 500 },\n]\n");
   CHECK(complaint<std::invalid_argument>([&] {
@@ -239,8 +239,8 @@ TEST_CASE("a study's arm may be a URDF file, read as its table urdf says", "[stu
   const std::string robot = "robot=" + std::filesystem::absolute("tests/data/urdf/iiwa14.urdf").string();
   const Study hard = read(solver_entry, {robot});
   const Study soft = read(solver_entry, {robot, "urdf.limits=soft", "urdf.base=link_1", "urdf.tip=tool"});
-  CHECK(arm_of(hard).joints() == 7);
-  CHECK(arm_of(soft).joints() == 6);
+  CHECK(robot_of(hard).joints() == 7);
+  CHECK(robot_of(soft).joints() == 6);
   CHECK(soft.urdf.limits == UrdfChoice::Limits::soft);
   CHECK(keys_of(hard) != keys_of(soft));
   const nlohmann::json json = nlohmann::json::parse(to_json(soft));
@@ -260,7 +260,7 @@ TEST_CASE("a study's arm may be a URDF file, read as its table urdf says", "[stu
   const nlohmann::json stored = nlohmann::json::parse(to_json(calibrated))["arm"];
   CHECK(stored["links"][1].contains("beta_deg"));
   CHECK_FALSE(json["arm"]["links"][1].contains("beta_deg"));
-  CHECK(robots::stored_arm(stored.dump())->chain.definition() == arm_of(calibrated).chain.definition());
+  CHECK(robots::stored_arm(stored.dump())->chain.definition() == robot_of(calibrated).chain.definition());
 }
 
 TEST_CASE("a study says how it will be judged, by default by ranks at 5 %, the paper's studies by means",
@@ -270,10 +270,10 @@ TEST_CASE("a study says how it will be judged, by default by ranks at 5 %, the p
   CHECK(nlohmann::json::parse(to_json(study))["analysis"] ==
         nlohmann::json::parse(R"({"test": "ranks", "values": "runs", "metric": "", "control": "", "significance": 0.05,
           "margin_percent": 5.0, "deadline_ms": 0.0, "then": ["time", "evaluations"]})"));
-  for (const Study& built_in : studies()) {
+  for (const Study& built_in : built_in_studies()) {
     INFO(built_in.name);
     CHECK(built_in.plan == (built_in.name.starts_with("slim2023")
-                                ? AnalysisPlan{.test = AnalysisPlan::Test::means, .then = {}}
+                                ? AnalysisPlan{.test = AnalysisPlan::Test::means, .tie_breakers = {}}
                                 : AnalysisPlan()));
     CHECK(contains(to_toml(built_in), "\n[analysis]"));
   }
@@ -300,7 +300,7 @@ TEST_CASE("what is as good as what a mistake nearly was is read", "[study]") {
   CHECK(read(solver_entry, {"figures.text_pt=10"}).figures.text_pt == 10);
   CHECK(read(solver_entry, {"ik_bat.colour=#8D1804"}).solvers[0].colour == "#8D1804");
   CHECK(read("limits = \"enforced\"\ninitial_deg = [0, 120, 0, -120, 0, 0, 175]\n" + solver_entry).limits ==
-        Limits::enforced);
+        LimitPolicy::enforced);
   CHECK(read("name = \"" + std::string(200, 'x') + "\"\n" + solver_entry).name.size() == 200);
   const std::string much = statements_of("name = \"" + std::string(100'000, 'x') + "\"\n" + solver_entry);
   CHECK(contains(much, "x\"; expected a text of at most 200 bytes without control characters"));
@@ -410,7 +410,7 @@ TEST_CASE("an override sets a field of the study, of its path or of its stop rul
   const Study study = load_study("slim2023", {"runs=5", "path.tool=eq27", "path.points=7", "stop.tolerance_cm=0.1",
                                               "search=\"all_joints\"", "initial_deg=[1, 2, 3, 4, 5, 6, 7]"});
   CHECK(study.runs == 5);
-  CHECK(targets(study, 1)[0].linear() == rotation(ToolOrientation::eq27));
+  CHECK(targets_of_run(study, 1)[0].linear() == tool_rotation(ToolOrientation::eq27));
   CHECK(study.path->points() == 7);
   CHECK(study.stop.tolerance == Approx(0.001));
   CHECK(study.search == Search::all_joints);

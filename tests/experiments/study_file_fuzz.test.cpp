@@ -28,11 +28,11 @@ TEST_CASE("a study file with up to four random changes is read, or refused with 
 
 TEST_CASE("files of every kind of path with random changes are read, or refused with their place", "[study][fuzz]") {
   Study study = small_study();
-  const Path some_poses = path_through(targets(study, 1));
-  study.limits = Limits::enforced;
+  const Path some_poses = path_through(targets_of_run(study, 1));
+  study.limits = LimitPolicy::enforced;
   study.start = Start::initial;
   study.solvers[0].population = 12;
-  for (const Path& path : paths()) {
+  for (const Path& path : target_sets()) {
     study.path = path->points() > 0 ? path : some_poses;
     read_mutated(Mutator(7), to_toml(study), 500, "mutated.toml:", read_study);
   }
@@ -98,7 +98,8 @@ TEST_CASE("studies of a store with random changes are read with all their solves
       const Store store(file, Store::Mode::read);
       const StoredStudy stored = store.study("small");
       judge::read_study(store, stored);
-      complaint<std::invalid_argument>([&] { std::ranges::for_each(store.solves("small"), recheck_of(stored)); });
+      complaint<std::invalid_argument>(
+          [&] { std::ranges::for_each(store.solves("small"), stored_solve_check(stored)); });
     });
     put(whole);
   };
@@ -114,12 +115,12 @@ TEST_CASE("a results.json with random changes is one of ikbench, or another's", 
       "\"results.json\",\n  \"tables/a.csv\"\n ]\n}\n";
   write_text(folder.path / "report.md", "ours");
   write_text(folder.path / "results.json", whole);
-  show::claim(folder.path, {"tables/b.csv"});  // keeps what it says besides
+  show::reserve_files(folder.path, {"tables/b.csv"});  // keeps what it says besides
   const auto kept = parsed_json(text_in(folder.path / "results.json"));
   CHECK(kept["headline"] == "A is better");
   CHECK(kept["files"].size() == 4);
   read_mutated(Mutator(23), whole, 700, quoted(folder.path / "re").substr(0, 10), [&](const std::string& text) {
     write_text(folder.path / "results.json", text);
-    show::claim(folder.path, {"report.md"});
+    show::reserve_files(folder.path, {"report.md"});
   });
 }

@@ -17,10 +17,10 @@ TEST_CASE("an entry with lists becomes one entry per combination", "[sweep]") {
   CHECK(labels_of(study) == SweptLabels{"IK-BA alpha=0.5 population=20", "IK-BA alpha=0.5 population=40",
                                         "IK-BA alpha=0.97 population=20", "IK-BA alpha=0.97 population=40", "bat"});
   const SolverEntry& third = study.solvers[2];
-  CHECK(third.family == "IK-BA");
+  CHECK(third.sweep_base == "IK-BA");
   CHECK(third.population == 20);
   CHECK(third.options == solvers::Settings{{"alpha", 0.97}, {"bounds", "clamp"}});
-  CHECK(study.solvers[4].family.empty());
+  CHECK(study.solvers[4].sweep_base.empty());
 }
 
 TEST_CASE("a swept key is of every solver that has it, or of the one before the dot", "[sweep]") {

@@ -19,7 +19,7 @@ Study random_targets(const std::string& robot, const std::string& set, int point
 
 std::vector<Configuration> solutions_of(const Study& study, int run = 1) {
   Random random(Key(study.seed).with("targets").with(static_cast<std::uint64_t>(run)));
-  return study.path->solutions(arm_of(study), random);
+  return study.path->source_configurations(robot_of(study), random);
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ TEST_CASE("the tool of a circle turns about the vertical", "[path]") {
 
 TEST_CASE("near limits, each joint is within 5 % of its range of one, on both sides", "[path][targets]") {
   const Study study = random_targets("ur5e", "near_limits", 200);
-  const JointLimits limits = arm_of(study).limits;
+  const JointLimits limits = robot_of(study).limits;
   int at_lower = 0;
   const std::vector<Configuration> all = solutions_of(study);
   for (const Configuration& q : all) {
@@ -54,7 +54,7 @@ TEST_CASE("near limits, each joint is within 5 % of its range of one, on both si
 TEST_CASE("near singular, the manipulability is below that of 99 of 100 random configurations", "[path][targets]") {
   const Study near = random_targets("franka_panda", "near_singular", 20),
               anywhere = random_targets("franka_panda", "anywhere", 500);
-  const Robot arm = arm_of(near);
+  const Robot arm = robot_of(near);
   const auto manipulability = [&](const Configuration& q) {
     Matrix6Xd jacobian(6, q.size());
     arm.chain.pose_jacobian(q, jacobian);
@@ -69,21 +69,21 @@ TEST_CASE("near singular, the manipulability is below that of 99 of 100 random c
 
 TEST_CASE("at the edge the tool is beyond 95 % of the largest distance", "[path][targets]") {
   const Study edge = random_targets("ur5e", "edge", 30), anywhere = random_targets("ur5e", "anywhere", 300);
-  const Eigen::Vector3d shoulder = arm_of(edge).chain.reach().centre;
+  const Eigen::Vector3d shoulder = robot_of(edge).chain.reach().centre;
   const auto distance = [&](const Pose& pose) { return (pose.translation() - shoulder).norm(); };
   double least = 1e9, most = 0;
-  for (const Pose& pose : targets(edge, 1)) least = std::min(least, distance(pose));
-  for (const Pose& pose : targets(anywhere, 1)) most = std::max(most, distance(pose));
+  for (const Pose& pose : targets_of_run(edge, 1)) least = std::min(least, distance(pose));
+  for (const Pose& pose : targets_of_run(anywhere, 1)) most = std::max(most, distance(pose));
   CHECK(least >= 0.94 * most);
 }
 
 TEST_CASE("unreachable targets are beyond the reach by the share that is asked for", "[path][targets]") {
   const Study study = study_of_robot("ur5e", "[path]\nkind = \"random\"\nset = \"unreachable\"\nbeyond_percent = 25");
-  const Chain::Ball ball = arm_of(study).chain.reach();
-  for (const Pose& pose : targets(study, 1)) {
+  const Chain::Ball ball = robot_of(study).chain.reach();
+  for (const Pose& pose : targets_of_run(study, 1)) {
     CHECK((pose.translation() - ball.centre).norm() == Approx(1.25 * ball.radius).epsilon(1e-12));
   }
-  const SolveRecord solve = solve_once(study, study.solvers[0], targets(study, 1)[0]);
+  const SolveRecord solve = solve_once(study, study.solvers[0], targets_of_run(study, 1)[0]);
   CHECK(solve.position_error_cm >= 25 * ball.radius * (1 - 1e-12));
 }
 
@@ -102,13 +102,13 @@ TEST_CASE("every set is made of its solutions, the same again, and more of them 
   for (const std::string set : {"anywhere", "near_limits", "near_singular", "edge"}) {
     CAPTURE(set);
     const Study fewer = random_targets("ur5e", set, 3), more = random_targets("ur5e", set, 5);
-    const std::vector<Pose> poses = targets(fewer, 2);
+    const std::vector<Pose> poses = targets_of_run(fewer, 2);
     const std::vector<Configuration> solutions = solutions_of(more, 2);
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      CHECK(poses[i].matrix() == arm_of(fewer).chain.forward(solutions[i]).matrix());
-      CHECK(poses[i].matrix() == targets(more, 2)[i].matrix());
+      CHECK(poses[i].matrix() == robot_of(fewer).chain.forward(solutions[i]).matrix());
+      CHECK(poses[i].matrix() == targets_of_run(more, 2)[i].matrix());
     }
-    CHECK(targets(fewer, 1)[0].matrix() != poses[0].matrix());
+    CHECK(targets_of_run(fewer, 1)[0].matrix() != poses[0].matrix());
   }
 }
 
@@ -116,21 +116,21 @@ TEST_CASE("every set is made of its solutions, the same again, and more of them 
 
 TEST_CASE("solves start in the middle of the limits, or at zero where a joint turns without end", "[starts]") {
   const Study study = study_of_robot("kinova_gen3", "start = \"middle\"\n[path]\nkind = \"random\"\npoints = 2");
-  const Robot arm = arm_of(study);
-  for (const Configuration& start : starts(study, arm, 1)) {
+  const Robot arm = robot_of(study);
+  for (const Configuration& start : starts_of_run(study, arm, 1)) {
     for (Eigen::Index j = 0; j < start.size(); ++j) {
       const double lower = arm.limits.lower[j], upper = arm.limits.upper[j];
       CHECK(start[j] == (std::isfinite(lower) ? (lower + upper) / 2 : 0));
     }
   }
-  CHECK(starts(study, arm, 1).size() == 2);
+  CHECK(starts_of_run(study, arm, 1).size() == 2);
 }
 
 TEST_CASE("random starts are within the limits, of their own for every run and point", "[starts]") {
   const Study study = study_of_robot("ur5e", "start = \"random\"\n[path]\nkind = \"circle\"\npoints = 50");
-  const Robot arm = arm_of(study);
-  const std::vector<Configuration> first = starts(study, arm, 1), again = starts(study, arm, 1),
-                                   second = starts(study, arm, 2);
+  const Robot arm = robot_of(study);
+  const std::vector<Configuration> first = starts_of_run(study, arm, 1), again = starts_of_run(study, arm, 1),
+                                   second = starts_of_run(study, arm, 2);
   CHECK(first == again);
   for (std::size_t i = 0; i < first.size(); ++i) {
     CHECK(arm.limits.violation(first[i]) == 0);
@@ -142,13 +142,13 @@ TEST_CASE("random starts are within the limits, of their own for every run and p
 TEST_CASE("near starts are as far from the solution as near_deg allows, and inside the limits", "[starts]") {
   const Study study = study_of_robot(
       "stanford", "start = \"near\"\nnear_deg = 2\n[path]\nkind = \"random\"\nset = \"near_limits\"\npoints = 100");
-  const std::vector<Configuration> near = starts(study, arm_of(study), 3), solutions = solutions_of(study, 3);
+  const std::vector<Configuration> near = starts_of_run(study, robot_of(study), 3), solutions = solutions_of(study, 3);
   double farthest = 0;
   for (std::size_t i = 0; i < near.size(); ++i) {
     const Configuration away = (near[i] - solutions[i]).cwiseAbs();
     farthest = std::max(farthest, away.maxCoeff());
     CHECK(away[2] == 0);  // it slides
-    CHECK(arm_of(study).limits.violation(near[i]) == 0);
+    CHECK(robot_of(study).limits.violation(near[i]) == 0);
   }
   CHECK(farthest <= 2 * pi / 180);
   CHECK(farthest > 1.9 * pi / 180);
@@ -171,8 +171,9 @@ TEST_CASE("every solver starts where the study says, run after run and from a st
     study.solvers.push_back({"other", "particle_swarm", {}});
     for (const SolveRecord& solve : planned_solve_count(study)) {
       const Configuration expected =
-          start == "initial" ? Configuration(study.initial)
-                             : starts(study, arm_of(study), solve.run)[static_cast<std::size_t>(solve.point - 1)];
+          start == "initial"
+              ? Configuration(study.initial)
+              : starts_of_run(study, robot_of(study), solve.run)[static_cast<std::size_t>(solve.point - 1)];
       CHECK(std::ranges::equal(solve.start_rad, expected));
     }
     ScratchStore store;

@@ -7,7 +7,7 @@ using std::numbers::pi;
 
 Pose place(double x, double y, double z) { return Pose(Eigen::Translation3d(x, y, z)); }
 
-constexpr AcceptanceCriteria any{.claimed_error = 0};
+constexpr AcceptanceCriteria any{.reported_error = 0};
 
 }  // namespace
 
@@ -16,7 +16,7 @@ TEST_CASE("joints of any kind, bases and tools are in both forward kinematics", 
   for (int i = 0; i < 1000; ++i) {
     const Chain chain = random_chain(dice);
     const Eigen::VectorXd q = random_joints(chain, dice);
-    const Eigen::Matrix4d verified = verified_pose(chain, q);
+    const Eigen::Matrix4d verified = reference_pose(chain, q);
     REQUIRE((verified - chain.forward(q).matrix()).cwiseAbs().maxCoeff() <= 1e-12);
     const Eigen::Vector3d target(dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1));
     Eigen::VectorXd error(1);
@@ -34,7 +34,7 @@ TEST_CASE("an arm from a URDF file is verified by its origins and axes, not by t
     Eigen::VectorXd q(arm.joints());
     for (int i = 0; i < 1000; ++i) {
       for (double& joint : q) joint = angle(random);
-      REQUIRE((verified_pose(arm, q) - arm.chain.forward(q).matrix()).cwiseAbs().maxCoeff() <= 1e-11);
+      REQUIRE((reference_pose(arm, q) - arm.chain.forward(q).matrix()).cwiseAbs().maxCoeff() <= 1e-11);
     }
     // A table that is wrong by a tenth of a millimetre is a wrong claim.
     const Pose target = arm.chain.forward(q);
@@ -43,7 +43,7 @@ TEST_CASE("an arm from a URDF file is verified by its origins and axes, not by t
     links[2].a += 1e-4;
     wrong.chain = Chain(links, arm.chain.base(), arm.chain.tool());
     const double claimed = (wrong.chain.position(q) - target.translation()).norm();
-    CHECK(status_by(verify(wrong, target, q, q), {.claimed_error = claimed}) == Status::claimed_but_wrong);
+    CHECK(classify(verify(wrong, target, q, q), {.reported_error = claimed}) == Status::claimed_but_wrong);
   }
 }
 
@@ -70,11 +70,11 @@ TEST_CASE("the variation is the norm of the joint moves over all joints, the lar
           "[verifier][paper]") {
   const Eigen::VectorXd start = to_eigen({0.1, 0.2, 0.3});
   const Verification verified = verify(robot("planar_3"), place(0, 0, 0), start, start + to_eigen({0.3, -0.4, 1.2}));
-  CHECK(verified.variation == Approx(1.3));  // Eq. 12: sqrt(0.09 + 0.16 + 1.44)
+  CHECK(verified.joint_motion == Approx(1.3));  // Eq. 12: sqrt(0.09 + 0.16 + 1.44)
   CHECK(verified.largest_move == Approx(1.2));
   const Verification of_two =
       verify(robot("planar_3"), place(0, 0, 0), start, start + to_eigen({0.3, -0.4, 1.2}), false, 2);
-  CHECK(of_two.variation == Approx(0.5));
+  CHECK(of_two.joint_motion == Approx(0.5));
   CHECK(of_two.largest_move == Approx(1.2));  // of all joints
   CHECK(verify(robot("planar_3"), place(0, 0, 0), start, start + to_eigen({0.3, -0.4, 0.2})).largest_move ==
         Approx(0.4));  // a move down is a move
@@ -84,12 +84,12 @@ TEST_CASE("metres of joints that slide and radians of those that turn are never 
   const Robot arm = robot("stanford");  // its third joint slides, from 0.3048 to 1.27 m
   const Eigen::VectorXd start = to_eigen({0, 0, 0.5, 0, 0, 0});
   const Verification verified = verify(arm, place(0, 0, 0), start, start + to_eigen({0.3, 0, 0.8, 0, -0.4, 0}));
-  CHECK(verified.variation == Approx(0.5));
-  CHECK(verified.variation_m == Approx(0.8));
+  CHECK(verified.joint_motion == Approx(0.5));
+  CHECK(verified.joint_motion_m == Approx(0.8));
   CHECK(verified.largest_move == Approx(0.4));
   CHECK(verified.limit_violation == 0);
   CHECK(verified.limit_violation_m == Approx(0.03));
-  CHECK(status_by({.limit_violation_m = 0.03}, any) == Status::limit_violated);
+  CHECK(classify({.limit_violation_m = 0.03}, any) == Status::limit_violated);
 }
 
 TEST_CASE("a joint without limits violates none, however far it turns, unless it is not finite", "[verifier]") {
@@ -120,10 +120,10 @@ TEST_CASE("an answer that is not finite gives errors that are not finite", "[ver
       answer[joint] = bad;
       const Verification verified = verify(robot("kuka_iiwa14"), place(0.5, 0, 0.5), Eigen::VectorXd::Zero(7), answer);
       CHECK_FALSE((std::isfinite(verified.position_error) && std::isfinite(verified.orientation_error)));
-      CHECK_FALSE(std::isfinite(verified.variation));
+      CHECK_FALSE(std::isfinite(verified.joint_motion));
       CHECK_FALSE(std::isfinite(verified.largest_move));
       CHECK_FALSE(std::isfinite(verified.limit_violation));
-      CHECK(status_by(verified, any) == Status::not_finite);
+      CHECK(classify(verified, any) == Status::not_finite);
     }
   }
 }
@@ -134,8 +134,8 @@ TEST_CASE("a joint outside its limits by more than rounding is a violation", "[v
   };
   CHECK(violated(2e-9) == Approx(2e-9));
   CHECK(violated(0.5e-9) == 0);
-  CHECK(status_by({.limit_violation = 2e-9}, any) == Status::limit_violated);
-  CHECK(status_by({.limit_violation = 0}, any) == Status::ok);
+  CHECK(classify({.limit_violation = 2e-9}, any) == Status::limit_violated);
+  CHECK(classify({.limit_violation = 0}, any) == Status::ok);
 }
 
 TEST_CASE("the angle between a target and the tool is that by which the one is turned from the other", "[verifier]") {
@@ -169,27 +169,27 @@ TEST_CASE("a status is the most severe of what is wrong by more than rounding", 
     AcceptanceCriteria required;
     Status status;
   };
-  constexpr AcceptanceCriteria enforced{.claimed_error = 0, .limits_are_enforced = true};
-  constexpr AcceptanceCriteria claimed{.claimed_error = 1, .stop = {.tolerance = 0.1}};
+  constexpr AcceptanceCriteria enforced{.reported_error = 0, .limits_are_enforced = true};
+  constexpr AcceptanceCriteria claimed{.reported_error = 1, .stop = {.tolerance = 0.1}};
   const std::vector<Case> cases{
-      {{.position_error = 0.01}, {.claimed_error = 0.01, .stop = {.tolerance = 0.009}}, Status::tolerance_missed},
-      {{.position_error = 0.01}, {.claimed_error = 0.01, .stop = {.tolerance = 0.01 - 0.5e-9}}, Status::ok},
-      {{.position_error = 0.01}, {.claimed_error = 0.01, .stop = {.tolerance = 0.01}}, Status::ok},
-      {{.position_error = 0.01}, {.claimed_error = 0.01, .stop = {.tolerance = 0}}, Status::ok},
+      {{.position_error = 0.01}, {.reported_error = 0.01, .stop = {.tolerance = 0.009}}, Status::tolerance_missed},
+      {{.position_error = 0.01}, {.reported_error = 0.01, .stop = {.tolerance = 0.01 - 0.5e-9}}, Status::ok},
+      {{.position_error = 0.01}, {.reported_error = 0.01, .stop = {.tolerance = 0.01}}, Status::ok},
+      {{.position_error = 0.01}, {.reported_error = 0.01, .stop = {.tolerance = 0}}, Status::ok},
       {{.angle = 0.01}, {.stop = {.tolerance = 1, .angle_tolerance = 0.009}}, Status::tolerance_missed},
       {{.angle = 0.01}, {.stop = {.tolerance = 1, .angle_tolerance = 0.01}}, Status::ok},
       {{.angle = 0.01}, {.stop = {.tolerance = 1}}, Status::ok},
       {{.position_error = 2, .angle = 0.01},
-       {.claimed_error = 2, .stop = {.tolerance = 1, .angle_tolerance = 1}},
+       {.reported_error = 2, .stop = {.tolerance = 1, .angle_tolerance = 1}},
        Status::tolerance_missed},
       {{.limit_violation = 2e-9}, enforced, Status::refused},
       {{.limit_violation = 0}, enforced, Status::ok},
       {{.position_error = 1, .limit_violation = 2e-9}, enforced, Status::claimed_but_wrong},
-      {{.position_error = 0.01}, {.claimed_error = 0.02}, Status::claimed_but_wrong},
-      {{.position_error = 0.02}, {.claimed_error = 0.01}, Status::claimed_but_wrong},
-      {{.position_error = 0.01}, {.claimed_error = 0.01 + 0.5e-9}, Status::ok},
-      {{.position_error = 0.01}, {.claimed_error = not_a_number}, Status::claimed_but_wrong},
-      {{.position_error = 0.01}, {.claimed_error = infinity}, Status::claimed_but_wrong},
+      {{.position_error = 0.01}, {.reported_error = 0.02}, Status::claimed_but_wrong},
+      {{.position_error = 0.02}, {.reported_error = 0.01}, Status::claimed_but_wrong},
+      {{.position_error = 0.01}, {.reported_error = 0.01 + 0.5e-9}, Status::ok},
+      {{.position_error = 0.01}, {.reported_error = not_a_number}, Status::claimed_but_wrong},
+      {{.position_error = 0.01}, {.reported_error = infinity}, Status::claimed_but_wrong},
       {{.orientation_error = 0.1}, {.orientation_is_exact = true}, Status::claimed_but_wrong},
       {{.orientation_error = 0.1}, {.orientation_is_exact = false}, Status::ok},
       {{.orientation_error = 0.5e-9}, {.orientation_is_exact = true}, Status::ok},
@@ -199,7 +199,7 @@ TEST_CASE("a status is the most severe of what is wrong by more than rounding", 
       {{.orientation_error = not_a_number}, claimed, Status::not_finite}};
   for (std::size_t i = 0; i < cases.size(); ++i) {
     CAPTURE(i);
-    CHECK(status_by(cases[i].verified, cases[i].required) == cases[i].status);
+    CHECK(classify(cases[i].verified, cases[i].required) == cases[i].status);
   }
 }
 
@@ -213,26 +213,26 @@ TEST_CASE("what is claimed of a pose or an axis has to hold of its position and 
   const Verification verified = verify(arm, target, q, q, is_axis);
   Eigen::VectorXd error(1);
   arm.chain.pose_errors(q, target, 0.3, error, is_axis);
-  const AcceptanceCriteria honest{.claimed_error = 0.05, .claimed_pose_error = error[0], .rotation_weight = 0.3};
-  CHECK(status_by(verified, honest) == Status::ok);
+  const AcceptanceCriteria honest{.reported_error = 0.05, .reported_pose_error = error[0], .rotation_weight = 0.3};
+  CHECK(classify(verified, honest) == Status::ok);
   AcceptanceCriteria wrong = honest;
-  wrong.claimed_pose_error += 1e-8;
-  CHECK(status_by(verified, wrong) == Status::claimed_but_wrong);
-  wrong.claimed_pose_error = not_a_number;
-  CHECK(status_by(verified, wrong) == Status::claimed_but_wrong);
+  wrong.reported_pose_error += 1e-8;
+  CHECK(classify(verified, wrong) == Status::claimed_but_wrong);
+  wrong.reported_pose_error = not_a_number;
+  CHECK(classify(verified, wrong) == Status::claimed_but_wrong);
   wrong = honest;
-  wrong.claimed_error = 0.04;
-  CHECK(status_by(verified, wrong) == Status::claimed_but_wrong);
+  wrong.reported_error = 0.04;
+  CHECK(classify(verified, wrong) == Status::claimed_but_wrong);
   wrong = honest;
   wrong.rotation_weight = 0.2;
-  CHECK(status_by(verified, wrong) == Status::claimed_but_wrong);
+  CHECK(classify(verified, wrong) == Status::claimed_but_wrong);
 }
 
 TEST_CASE("a solver that stops by itself is over its budget by half of it", "[verifier]") {
   const solvers::StopRule budget{.iterations = 10, .evaluations = 100, .seconds = 1};
-  CHECK_FALSE(is_over({.seconds = 1.49, .evaluations = 150, .iterations = 15}, budget));
-  CHECK(is_over({.seconds = 1.51}, budget));
-  CHECK(is_over({.evaluations = 151}, budget));
-  CHECK(is_over({.iterations = 16}, budget));
-  CHECK_FALSE(is_over({.seconds = 100, .evaluations = 1000}, {.iterations = 10}));
+  CHECK_FALSE(exceeds_budget({.seconds = 1.49, .evaluations = 150, .iterations = 15}, budget));
+  CHECK(exceeds_budget({.seconds = 1.51}, budget));
+  CHECK(exceeds_budget({.evaluations = 151}, budget));
+  CHECK(exceeds_budget({.iterations = 16}, budget));
+  CHECK_FALSE(exceeds_budget({.seconds = 100, .evaluations = 1000}, {.iterations = 10}));
 }

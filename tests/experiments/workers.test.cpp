@@ -41,12 +41,12 @@ TEST_CASE("what is handed in one by one is passed on at once", "[record_queue]")
     passed.push_back(records.front().point);
   });
   for (const int point : {1, 2, 3}) {
-    record_queue.hand_in(sample_record("key-a", 1, point));
+    record_queue.push(sample_record("key-a", 1, point));
     CHECK(passed.back() == point);
   }
   std::size_t together = 0;  // but for patience
   RecordQueue patient([&](const auto& records) { together = records.size(); }, std::chrono::hours(1));
-  for (const int point : {1, 2}) patient.hand_in(sample_record("key-a", 1, point));
+  for (const int point : {1, 2}) patient.push(sample_record("key-a", 1, point));
   CHECK(together == 0);
   patient.flush();
   CHECK(together == 2);
@@ -61,9 +61,9 @@ TEST_CASE("nobody waits for what another is passing on, and what came meanwhile 
     is_passing = true;
     while (!others_are_back) std::this_thread::yield();
   });
-  std::thread first([&] { record_queue.hand_in(sample_record("key-a", 1, 1)); });
+  std::thread first([&] { record_queue.push(sample_record("key-a", 1, 1)); });
   while (!is_passing) std::this_thread::yield();
-  for (const int point : {2, 3, 4}) record_queue.hand_in(sample_record("key-a", 1, point));
+  for (const int point : {2, 3, 4}) record_queue.push(sample_record("key-a", 1, point));
   others_are_back = true;
   first.join();
   CHECK(passed == std::vector<std::vector<int>>{{1}, {2, 3, 4}});
@@ -75,7 +75,7 @@ TEST_CASE("what could not be passed on is told to whoever tried, and not tried a
     ++tries;
     throw std::runtime_error("no space");
   });
-  CHECK_THROWS_AS(record_queue.hand_in(sample_record()), std::runtime_error);
-  CHECK_NOTHROW(record_queue.hand_in(sample_record()));
+  CHECK_THROWS_AS(record_queue.push(sample_record()), std::runtime_error);
+  CHECK_NOTHROW(record_queue.push(sample_record()));
   CHECK(tries == 1);
 }

@@ -69,7 +69,7 @@ TEST_CASE("a built-in solver has one colour in every study, whatever its label a
 
 TEST_CASE("no two solvers of a study look alike, and other solvers have other colours while there are any",
           "[figure]") {
-  for (const experiments::Study& study : experiments::studies()) {
+  for (const experiments::Study& study : experiments::built_in_studies()) {
     CAPTURE(study.name);
     std::vector<Series> solvers{{"", "mine", "unknown"}};
     for (const experiments::SolverEntry& entry : study.solvers) solvers.push_back({"", entry.label, entry.solver});

@@ -145,7 +145,7 @@ TEST_CASE("mean ranks are those of the blocks, with a critical difference where 
   MetricSamples of{.metric = "error", .quantity = "error", .unit = "mm", .floor = 1e-9, .is_paired = true};
   std::vector<results::Series> solvers;
   for (int s = 0; s < 4; ++s) {
-    Measured its;
+    Sample its;
     for (int i = 0; i < 20; ++i) its.values.push_back(1 + s * (i % 4 == 0 ? 1 : 3) % 4 + 0.01 * i);
     of.groups.push_back({.name = std::string(1, static_cast<char>('A' + s)), .sample = std::move(its)});
     solvers.push_back({.label = of.groups.back().name, .algorithm = "x"});
@@ -168,10 +168,10 @@ TEST_CASE("mean ranks are those of the blocks, with a critical difference where 
   CHECK(contains(unpaired, "A12"));
   CHECK_FALSE(contains(unpaired, "critical"));
   of.is_paired = true;
-  of.groups[1].sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::apart};
+  of.groups[1].sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::not_comparable};
   CHECK(contains(ranked({})->caption, "0.741"));  // of three alone: 2.344 sqrt(3 * 4 / (6 * 20))
   CHECK(contains(ranked({})->caption, "Without B: "));
-  of.groups[2].sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::apart};
+  of.groups[2].sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::not_comparable};
   CHECK_FALSE(ranked({}));
 }
 

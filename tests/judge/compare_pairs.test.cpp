@@ -10,8 +10,7 @@ MetricSamples groups_of(const Lists& groups, EffectScale scale = EffectScale::ra
   MetricSamples of{.metric = "error", .quantity = "position error", .unit = "cm", .scale = scale};
   if (scale == EffectScale::share) of.better = Better::larger;
   for (const auto& values : groups)
-    of.groups.push_back(
-        {.name = std::string(1, static_cast<char>('A' + of.groups.size())), .sample = Measured{values}});
+    of.groups.push_back({.name = std::string(1, static_cast<char>('A' + of.groups.size())), .sample = Sample{values}});
   return of;
 }
 
@@ -43,14 +42,14 @@ std::vector<double> solved(int ones, int all) {
   return values;
 }
 
-Seen only(const std::vector<Seen>& findings) {
-  REQUIRE(findings.size() == 1);
-  return findings.front();
+Seen only(const std::vector<Seen>& comparisons) {
+  REQUIRE(comparisons.size() == 1);
+  return comparisons.front();
 }
 
-std::string verdicts(const std::vector<Seen>& findings) {
+std::string verdicts(const std::vector<Seen>& comparisons) {
   std::string result;
-  for (const Seen& each : findings)
+  for (const Seen& each : comparisons)
     result += each.first + each.second + " " + std::string(name_of(each.verdict)) + "; ";
   return result;
 }
@@ -62,13 +61,13 @@ int fewest(int k, bool is_paired, const std::string& control) {
     for (int g = 0; g < k; ++g) groups.push_back(ramp(n, 1 + 100 * g, 1));
     MetricSamples of = groups_of(groups);
     of.is_paired = is_paired;
-    const std::vector<Seen> findings = compared(of, {.control = control});
+    const std::vector<Seen> comparisons = compared(of, {.control = control});
     const auto is_tested = [](const Seen& each) { return each.why == NotTestedReason::tested; };
-    if (std::ranges::all_of(findings, is_tested)) {
-      CHECK(std::ranges::all_of(findings, [](const Seen& each) { return each.verdict == Verdict::better; }));
+    if (std::ranges::all_of(comparisons, is_tested)) {
+      CHECK(std::ranges::all_of(comparisons, [](const Seen& each) { return each.verdict == Verdict::better; }));
       return n;
     }
-    CHECK(std::ranges::none_of(findings, is_tested));
+    CHECK(std::ranges::none_of(comparisons, is_tested));
   }
 }
 
@@ -104,11 +103,11 @@ TEST_CASE("p is times the pairs, and with a control times those of the control",
     return rank_test(values_of(of.groups[a]), values_of(of.groups[b]), 0.05).p;
   };
   const std::vector<double> all{p_of(0, 1), p_of(0, 2), p_of(1, 2)}, of_b{p_of(0, 1), p_of(1, 2)};
-  const std::vector<Seen> findings = compared(of, by_ranks), with_b = compared(of, {.control = "B"});
-  for (std::size_t i = 0; i < 3; ++i) CHECK(*findings[i].p == std::min(1.0, 3 * all[i]));
+  const std::vector<Seen> comparisons = compared(of, by_ranks), with_b = compared(of, {.control = "B"});
+  for (std::size_t i = 0; i < 3; ++i) CHECK(*comparisons[i].p == std::min(1.0, 3 * all[i]));
   REQUIRE(with_b.size() == 2);
   for (std::size_t i = 0; i < 2; ++i) CHECK(*with_b[i].p == std::min(1.0, 2 * of_b[i]));
-  CHECK(with_b[0].interval->low > findings[0].interval->low);  // 0.05 / 2 and 0.05 / 3
+  CHECK(with_b[0].interval->low > comparisons[0].interval->low);  // 0.05 / 2 and 0.05 / 3
   CHECK_THROWS_AS(compared(of, {.control = "D"}), std::invalid_argument);
 }
 
@@ -119,7 +118,7 @@ TEST_CASE("values at the tolerance are no evidence of the same while others are 
   all_but_two[4] = 3, all_but_two[9] = 5;
   const Seen found = only(compared(groups_of({std::vector<double>(20, 0.01), all_but_two}), by_ranks));
   CHECK_FALSE(found.interval);  // it would be from 1 to 1
-  CHECK(found.verdict == Verdict::undecided);
+  CHECK(found.verdict == Verdict::inconclusive);
 }
 
 TEST_CASE("where most are equal and p decides, no estimate of 1 stands beside it", "[compare]") {
@@ -144,7 +143,7 @@ TEST_CASE("all values equal are the same from 73, 109, 164 observations on for 1
           CAPTURE(k, is_enough, is_paired, value);
           CHECK(each.are_all_equal);
           CHECK(each.p == 1);
-          CHECK(each.verdict == (is_enough ? Verdict::same : Verdict::undecided));
+          CHECK(each.verdict == (is_enough ? Verdict::equivalent : Verdict::inconclusive));
         }
       }
     }
@@ -157,15 +156,15 @@ TEST_CASE("an interval without width stands only beside what it decides", "[comp
     lists[0][0] = 3;
     const Seen found = only(compared(paired(groups_of(lists)), by_ranks));
     CHECK(*found.estimate == 1);
-    CHECK(found.verdict == (found.interval ? Verdict::same : Verdict::undecided));
+    CHECK(found.verdict == (found.interval ? Verdict::equivalent : Verdict::inconclusive));
     CHECK(found.interval.has_value() == (n == 80));
   }
 }
 
 TEST_CASE("few constant values are not the same because they have no spread", "[compare]") {
   MetricSamples of = groups_of({{1, 1, 1}, {1.01, 1.01, 1.01}});
-  CHECK(only(compared(of, by_means)).verdict == Verdict::undecided);
-  CHECK(only(compared(paired(of), by_means)).verdict == Verdict::undecided);
+  CHECK(only(compared(of, by_means)).verdict == Verdict::inconclusive);
+  CHECK(only(compared(paired(of), by_means)).verdict == Verdict::inconclusive);
   // An interval that ends at the margin, whatever the last bit of a unit.
   std::vector<double> a(20, 10), b(20, 10);
   std::fill_n(a.begin(), 7, 10.5), std::fill_n(b.begin(), 12, 10.5);
@@ -201,9 +200,9 @@ TEST_CASE("an absolute margin holds for ranks and for means, of differences and 
       of.absolute_margin = margin;
       return only(compared(of, {.test = test, .margin = relative}));
     };
-    CHECK(within(1, {negative[0], negative[0]}, EffectScale::difference).verdict == Verdict::same);
+    CHECK(within(1, {negative[0], negative[0]}, EffectScale::difference).verdict == Verdict::equivalent);
     CHECK(within(1, negative, EffectScale::difference).is_within_margin);
-    CHECK(within(0.01, negative, EffectScale::difference).verdict != Verdict::same);
+    CHECK(within(0.01, negative, EffectScale::difference).verdict != Verdict::equivalent);
     CHECK_FALSE(within(0.01, negative, EffectScale::difference).is_within_margin);
     // 0.001 cm and 0.002 cm differ by a factor of two, and by less than 0.01 cm.
     const Lists small{lognormal(20, 0.001, 0.1, 1), lognormal(20, 0.002, 0.1, 2)};
@@ -213,7 +212,7 @@ TEST_CASE("an absolute margin holds for ranks and for means, of differences and 
     CHECK_FALSE(only(compared(groups_of(small), {.test = test})).is_within_margin);
   }
   const Seen relative = only(compared(groups_of({negative[0], negative[0]}, EffectScale::difference), by_means));
-  CHECK(relative.verdict == Verdict::same);  // 0.25 of -5
+  CHECK(relative.verdict == Verdict::equivalent);  // 0.25 of -5
 }
 
 TEST_CASE("no share of medians is a margin where a value is no answer", "[compare]") {
@@ -253,7 +252,7 @@ TEST_CASE("differences that rounding alone keeps apart are equal", "[compare]") 
   CHECK(far.interval->low == far.interval->high);
   MetricSamples of = groups_of({ramp(6, 1, 1e-10), ramp(6, 1 + 1e-11, 1e-10)});
   CHECK_FALSE(only(compared(of, by_ranks)).are_all_equal);
-  of.rounding = 1e-9;
+  of.resolution = 1e-9;
   CHECK(only(compared(of, by_ranks)).are_all_equal);
 }
 
@@ -291,13 +290,13 @@ TEST_CASE("published summaries are judged by Welch's t, of differences", "[compa
                {.name = "DE", .sample = SummaryStatistics{20, 0.3653, 0.2929}},
                {.name = "K-ABC", .sample = SummaryStatistics{20, 0.2318, 0.0722}}};
   for (const AnalysisPlan& plan : {by_ranks, by_means}) {
-    const std::vector<Seen> findings = compared(of, plan);
-    CHECK(verdicts(findings) ==
+    const std::vector<Seen> comparisons = compared(of, plan);
+    CHECK(verdicts(comparisons) ==
           "IK-BABA better; IK-BADE better; IK-BAK-ABC better; BADE worse; BAK-ABC worse; DEK-ABC not decided; ");
-    CHECK(findings[0].scale == EffectScale::difference);
-    CHECK(*findings[0].estimate == Approx(-1.683));
-    CHECK_FALSE(findings[0].effect);
-    CHECK(*findings[5].p == 6 * welch({20, 0.3653, 0.2929}, {20, 0.2318, 0.0722}, 0.05).p);
+    CHECK(comparisons[0].scale == EffectScale::difference);
+    CHECK(*comparisons[0].estimate == Approx(-1.683));
+    CHECK_FALSE(comparisons[0].effect);
+    CHECK(*comparisons[5].p == 6 * welch({20, 0.3653, 0.2929}, {20, 0.2318, 0.0722}, 0.05).p);
   }
 }
 
@@ -307,9 +306,9 @@ TEST_CASE("two constant shares have Newcombe's interval of that many targets if 
           "[compare]") {
   for (const bool is_paired : {false, true}) {
     MetricSamples of = groups_of({std::vector<double>(20, 0.8), std::vector<double>(20, 0.8)}, EffectScale::share);
-    of.trials = 5;
+    of.trials_per_observation = 5;
     of.is_paired = is_paired;
-    const Interval expected = newcombe(0.8, 20, 0.8, 20, 0.05), found = *only(compared(of, by_ranks)).interval;
+    const Interval expected = newcombe_interval(0.8, 20, 0.8, 20, 0.05), found = *only(compared(of, by_ranks)).interval;
     CHECK(found.low == Approx(expected.low));
     CHECK(found.high == Approx(expected.high));
     std::ranges::fill(values_in(of.groups[0]), 1.0);
@@ -320,7 +319,7 @@ TEST_CASE("two constant shares have Newcombe's interval of that many targets if 
 
 TEST_CASE("an interval of shares ends at 1", "[compare]") {
   MetricSamples of = groups_of({{1, 1, 0.8}, {0, 0, 0.2}}, EffectScale::share);
-  of.trials = 5;
+  of.trials_per_observation = 5;
   for (const bool is_paired : {false, true}) {
     of.is_paired = is_paired;
     CHECK(only(compared(of, by_ranks)).interval->high == 1);
@@ -341,7 +340,7 @@ TEST_CASE("Fisher's smallest p is one table of groups of two sizes, two of equal
 
 TEST_CASE("one target solved among many does not keep shares from a verdict", "[compare]") {
   MetricSamples of = groups_of({solved(1, 40), solved(40, 40)}, EffectScale::share);
-  of.trials = 5;
+  of.trials_per_observation = 5;
   CHECK(only(compared(of, by_means)).verdict == Verdict::worse);
 }
 
@@ -349,28 +348,28 @@ TEST_CASE("one target solved among many does not keep shares from a verdict", "[
 
 TEST_CASE("two solvers that repeat themselves differ by a fact", "[compare]") {
   MetricSamples of = groups_of({{2}, {4}});
-  for (Group& group : of.groups) group.sample = Measured{.values = {values_of(group).front()}, .repeats_itself = true};
+  for (Group& group : of.groups) group.sample = Sample{.values = {values_of(group).front()}, .is_deterministic = true};
   const Seen found = only(compared(of, by_ranks));
   CHECK(found.why == NotTestedReason::fact);
   CHECK(found.verdict == Verdict::better);
   CHECK(*found.estimate == Approx(0.5));
   CHECK_FALSE(found.p);
-  of.rounding = 4;  // of the metric, which tells no two values that are nearer
-  CHECK(only(compared(of, by_ranks)).verdict == Verdict::same);
+  of.resolution = 4;  // of the metric, which tells no two values that are nearer
+  CHECK(only(compared(of, by_ranks)).verdict == Verdict::equivalent);
 }
 
 TEST_CASE("which group stands first changes no p", "[compare]") {
   const auto p_of = [](const Group& first, const Group& second, EffectScale scale) {
     MetricSamples of = groups_of({{}, {}}, scale);
     of.groups = {first, second};
-    of.trials = 5;
+    of.trials_per_observation = 5;
     return *only(compared(of, by_ranks)).p;
   };
-  const Group one{.name = "A", .sample = Measured{.values = {1}, .repeats_itself = true}},
-      equal{.name = "B", .sample = Measured{.values = std::vector(12, 2.0)}},
-      no_share{.name = "B", .sample = Measured{.values = std::vector(12, 0.0)}},
-      copies{.name = "A", .sample = Measured{.values = std::vector(20, 1.5), .may_be_copies = true}},
-      without{.name = "B", .sample = Measured{.values = std::vector(8, ikbench::infinity)}};
+  const Group one{.name = "A", .sample = Sample{.values = {1}, .is_deterministic = true}},
+      equal{.name = "B", .sample = Sample{.values = std::vector(12, 2.0)}},
+      no_share{.name = "B", .sample = Sample{.values = std::vector(12, 0.0)}},
+      copies{.name = "A", .sample = Sample{.values = std::vector(20, 1.5), .is_constant = true}},
+      without{.name = "B", .sample = Sample{.values = std::vector(8, ikbench::infinity)}};
   CHECK(p_of(one, equal, EffectScale::ratio) == 2 / 4096.0);
   CHECK(p_of(equal, one, EffectScale::ratio) == 2 / 4096.0);
   CHECK(p_of(one, no_share, EffectScale::share) < 0.001);
@@ -381,14 +380,14 @@ TEST_CASE("which group stands first changes no p", "[compare]") {
   for (const bool are_first : {true, false}) {
     const std::vector<double> copied(45, 1), others{2, 3, 4};
     MetricSamples of = groups_of({are_first ? copied : others, are_first ? others : copied});
-    measured(of.groups[are_first ? 0 : 1]).may_be_copies = true;
+    sample_of(of.groups[are_first ? 0 : 1]).is_constant = true;
     CHECK(only(compared(of, by_ranks)).why == NotTestedReason::too_few);
   }
 }
 
 TEST_CASE("runs are compared with the value of a solver that repeats itself by their signs", "[compare]") {
   MetricSamples of = groups_of({{1}, {2, 3, 4, 5, 6, 7}});
-  of.groups[0].sample = Measured{.values = {values_of(of.groups[0]).front()}, .repeats_itself = true};
+  of.groups[0].sample = Sample{.values = {values_of(of.groups[0]).front()}, .is_deterministic = true};
   const Seen found = only(compared(of, by_ranks));
   CHECK(found.test == "sign test");
   CHECK(*found.p == 2 / 64.0);
@@ -398,7 +397,7 @@ TEST_CASE("runs are compared with the value of a solver that repeats itself by t
   values_in(of.groups[1]).push_back(1);  // equal to the value: dropped
   CHECK(*only(compared(of, by_ranks)).p == 2 / 64.0);
   values_in(of.groups[1]) = {1, 1, 2, 3, 4, 5, 6};
-  CHECK(only(compared(of, by_ranks)).verdict == Verdict::undecided);
+  CHECK(only(compared(of, by_ranks)).verdict == Verdict::inconclusive);
   values_in(of.groups[1]) = {2, 3, 4, 5, 6};
   const Seen few = only(compared(of, by_ranks));
   CHECK(few.why == NotTestedReason::too_few);
@@ -409,8 +408,8 @@ TEST_CASE("runs are compared with the value of a solver that repeats itself by t
 TEST_CASE("a solver that repeats itself differs in shares by the difference of the shares", "[compare]") {
   // Ten runs of ten targets; one always solves all, the other 17 of 100.
   MetricSamples of = groups_of({{1}, {.1, .2, .3, .1, .2, .1, .2, .3, .1, .1}}, EffectScale::share);
-  of.groups[0].sample = Measured{.values = {1}, .repeats_itself = true};
-  of.trials = 10;
+  of.groups[0].sample = Sample{.values = {1}, .is_deterministic = true};
+  of.trials_per_observation = 10;
   const Seen found = only(compared(of, by_ranks));
   CHECK(found.test == "one-sample t");
   CHECK(*found.estimate == Approx(0.83));
@@ -423,7 +422,7 @@ TEST_CASE("a solver that repeats itself differs in shares by the difference of t
 TEST_CASE("values of fifteen decades differ by their ratios from one that repeats itself", "[compare]") {
   MetricSamples of =
       groups_of({{}, {4e-16, 5e-16, 6e-16, 7e-16, 8e-16, 4.5e-16, 5.5e-16, 6.5e-16, 7.5e-16, 8.5e-16, .9}});
-  of.groups[0].sample = Measured{.values = {1e-16}, .repeats_itself = true};
+  of.groups[0].sample = Sample{.values = {1e-16}, .is_deterministic = true};
   of.floor = 1e-300;
   const Seen found = only(compared(of, by_ranks));
   CHECK(found.n == 11);
@@ -435,7 +434,7 @@ TEST_CASE("an absolute margin leaves equal values the same from as many on as a 
   for (const int n : {72, 200}) {
     MetricSamples of = groups_of(Lists(2, std::vector<double>(static_cast<std::size_t>(n), 5)));
     of.absolute_margin = 0.1;
-    CHECK(only(compared(of, {.margin = 0})).verdict == (n == 200 ? Verdict::same : Verdict::undecided));
+    CHECK(only(compared(of, {.margin = 0})).verdict == (n == 200 ? Verdict::equivalent : Verdict::inconclusive));
   }
 }
 
@@ -444,13 +443,13 @@ TEST_CASE("as many more observations as it says would about decide what is not d
   MetricSamples of = paired(groups_of({solved(55, 100), solved(45, 100)}, EffectScale::share));
   std::ranges::reverse(values_in(of.groups[1]));
   const Seen found = only(compared(of, by_ranks));
-  CHECK(found.verdict == Verdict::undecided);
-  CHECK(std::get<TestResult>(found.what).enough > 650);
-  CHECK(std::get<TestResult>(found.what).enough < 1100);                // the exact p is larger than the normal one
+  CHECK(found.verdict == Verdict::inconclusive);
+  CHECK(std::get<TestResult>(found.result).required_n > 650);
+  CHECK(std::get<TestResult>(found.result).required_n < 1100);          // the exact p is larger than the normal one
   std::ranges::fill(std::span(values_in(of.groups[0])).first(6), 0.0);  // 49 against 45: p = 0.76
-  CHECK(std::get<TestResult>(only(compared(of, by_ranks)).what).enough == 0);
-  CHECK(std::get<TestResult>(only(compared(groups_of({ramp(20, 1, 0.1), ramp(20, 9, 0.1)}), by_ranks)).what).enough ==
-        0);
+  CHECK(std::get<TestResult>(only(compared(of, by_ranks)).result).required_n == 0);
+  CHECK(std::get<TestResult>(only(compared(groups_of({ramp(20, 1, 0.1), ramp(20, 9, 0.1)}), by_ranks)).result)
+            .required_n == 0);
 }
 
 // p, interval and verdict.
@@ -459,15 +458,15 @@ TEST_CASE("of equal values that may be copies the larger p of two readings decid
   const auto found_of = [](std::vector<double> equal, std::vector<double> others) {
     const bool are_both_equal = std::ranges::count(others, others.front()) == std::ssize(others);
     MetricSamples of = groups_of({std::move(equal), std::move(others)});
-    measured(of.groups[0]).may_be_copies = true;
-    measured(of.groups[1]).may_be_copies = are_both_equal;
+    sample_of(of.groups[0]).is_constant = true;
+    sample_of(of.groups[1]).is_constant = are_both_equal;
     return only(compared(of, by_ranks));
   };
   std::vector<double> most_equal(94, 0.01);
   for (int i = 1; i <= 6; ++i) most_equal.push_back(0.01 + 0.01 * i);
   const Seen few_against_many = found_of(std::vector(6, 0.01), most_equal);
   CHECK(*few_against_many.p == Approx(0.550).epsilon(0.001));  // Mann-Whitney; the sign test alone says 0.031
-  CHECK(few_against_many.verdict == Verdict::undecided);
+  CHECK(few_against_many.verdict == Verdict::inconclusive);
   std::vector<double> spread;
   for (int i = 0; i < 20; ++i) spread.push_back(1.5 + 0.1 * i);
   CHECK(*found_of(std::vector(20, 1.0), spread).p == Approx(1.91e-6).epsilon(0.002));  // the sign test
@@ -485,14 +484,14 @@ TEST_CASE("verdicts may form a circle", "[compare]") {
     return values;
   };
   MetricSamples of = groups_of({dice({2, 4, 9}), dice({1, 6, 8}), dice({3, 5, 7})}, EffectScale::difference);
-  const std::vector<Seen> findings = compared(of, by_ranks);
-  CHECK(verdicts(findings) == "AB worse; AC better; BC worse; ");
+  const std::vector<Seen> comparisons = compared(of, by_ranks);
+  CHECK(verdicts(comparisons) == "AB worse; AC better; BC worse; ");
 }
 
 TEST_CASE("a winner by ranks whose mean or median lies the other way is warned of", "[compare]") {
   const auto warned_of = [](const MetricSamples& of, const AnalysisPlan& plan = {}) {
     const JudgedMetric all = judge::judge(of, plan);
-    return all.observations.doubts.empty() ? "" : all.observations.doubts.front().what;
+    return all.samples.warnings.empty() ? "" : all.samples.warnings.front().detail;
   };
   // A usually has 0.0001, and once in ten 0.3; B always has 0.0005.
   std::vector<double> a = ramp(20, 0.0001, 1e-6);
@@ -510,17 +509,17 @@ TEST_CASE("a winner by ranks whose mean or median lies the other way is warned o
 
 TEST_CASE("A pair has the blocks that both groups have, and can decide what their number can") {
   MetricSamples of = paired(groups_of({ramp(12, 1, 0.1), ramp(9, 20, 0.1), ramp(3, 30, 0.1)}));
-  measured(of.groups[0]).blocks = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
-  measured(of.groups[1]).blocks = {2, 4, 6, 8, 10, 12, 14, 16, 18};
-  measured(of.groups[2]).blocks = {14, 16, 18};
-  const auto findings = compared(of, by_ranks);
-  CHECK(findings[0].n == 6);
-  CHECK(*findings[0].p == 2 / 64.0);
-  CHECK(*findings[0].estimate == Approx(0.0776131597));
-  CHECK(findings[1].why == NotTestedReason::too_few);
-  CHECK(findings[1].n == 0);
-  CHECK_FALSE(findings[1].estimate);
-  CHECK(findings[2].why == NotTestedReason::too_few);
-  CHECK(findings[2].n == 3);
-  CHECK_FALSE(findings[2].estimate);  // of so few it would say more than it can
+  sample_of(of.groups[0]).blocks = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+  sample_of(of.groups[1]).blocks = {2, 4, 6, 8, 10, 12, 14, 16, 18};
+  sample_of(of.groups[2]).blocks = {14, 16, 18};
+  const auto comparisons = compared(of, by_ranks);
+  CHECK(comparisons[0].n == 6);
+  CHECK(*comparisons[0].p == 2 / 64.0);
+  CHECK(*comparisons[0].estimate == Approx(0.0776131597));
+  CHECK(comparisons[1].why == NotTestedReason::too_few);
+  CHECK(comparisons[1].n == 0);
+  CHECK_FALSE(comparisons[1].estimate);
+  CHECK(comparisons[2].why == NotTestedReason::too_few);
+  CHECK(comparisons[2].n == 3);
+  CHECK_FALSE(comparisons[2].estimate);  // of so few it would say more than it can
 }

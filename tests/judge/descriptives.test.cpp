@@ -5,7 +5,7 @@ namespace {
 
 MetricSamples observed(std::vector<std::vector<double>> groups) {
   MetricSamples of{.metric = "x", .quantity = "x"};
-  for (auto& values : groups) of.groups.push_back({.name = "g", .sample = Measured{std::move(values)}});
+  for (auto& values : groups) of.groups.push_back({.name = "g", .sample = Sample{std::move(values)}});
   return of;
 }
 
@@ -35,7 +35,7 @@ const std::vector<std::vector<double>> plants{{4.17, 5.58, 5.18, 6.11, 4.50, 4.6
 }  // namespace
 
 TEST_CASE("a group is described as MATLAB does", "[describe]") {
-  const Descriptives of = described({1, 2, 3, 4, 9, 2});
+  const Descriptives of = describe_values({1, 2, 3, 4, 9, 2});
   CHECK(of.n == 6);
   CHECK(of.mean == 3.5);
   CHECK(of.sd == Approx(std::sqrt(41.5 / 5)));  // by hand: 6.25 2.25 .25 .25 30.25 2.25
@@ -45,9 +45,9 @@ TEST_CASE("a group is described as MATLAB does", "[describe]") {
   CHECK(of.quantile_95 == of.largest);
   CHECK(of.smallest == 1);
   CHECK(of.largest == 9);
-  CHECK(described({1, 2, 3, 5}).lower_quartile == 1.5);  // at n p + 1/2 = 1.5
-  CHECK(described({7}).upper_quartile == 7);
-  CHECK(std::isnan(described({7}).sd));
+  CHECK(describe_values({1, 2, 3, 5}).lower_quartile == 1.5);  // at n p + 1/2 = 1.5
+  CHECK(describe_values({7}).upper_quartile == 7);
+  CHECK(std::isnan(describe_values({7}).sd));
 }
 
 TEST_CASE("a difference of means in standard deviations is Hedges'", "[describe]") {
@@ -153,6 +153,6 @@ TEST_CASE("what has no spread, no second group or no value has no test of all", 
     CHECK(anova(observed(groups)).empty());
   CHECK(anova(observed({{1}, {2}})).empty());
   MetricSamples lost = observed({{1, 2}, {3, 5}});
-  lost.groups[0].sample = ExcludedSample{.lost = 1, .values = values_in(lost.groups[0])};
+  lost.groups[0].sample = ExcludedSample{.missing = 1, .values = values_in(lost.groups[0])};
   CHECK(anova(lost).empty());
 }

@@ -360,12 +360,12 @@ Right right_of(const Table& table, const Reals& first, const Reals& second, Real
   right.few_decide = !table.is_share && table.by_means && (is_decided || is_same) && (one_decides(a) || one_decides(b));
   right.estimate = shown(found.estimate);
   if (right.few_decide || (!is_decided && !is_same))
-    right.verdict = Verdict::undecided;
+    right.verdict = Verdict::inconclusive;
   else if (!is_decided)
-    right.verdict = Verdict::same;
+    right.verdict = Verdict::equivalent;
   else
     right.verdict = found.direction == good ? Verdict::better : Verdict::worse, right.is_small = is_same;
-  if (right.few_decide || !found.interval || (right.verdict == Verdict::undecided && !has_width))
+  if (right.few_decide || !found.interval || (right.verdict == Verdict::inconclusive && !has_width))
     found.interval.reset();
   const bool is_refuted = is_difference(right.verdict) && sign_of(found.estimate) != found.direction;
   if (is_refuted) right.estimate.reset(), found.interval.reset();
@@ -405,7 +405,7 @@ Rights rights_of(const Table& table) {
     const Right right = right_of(table, table.common(pair.first, pair.second), table.common(pair.second, pair.first),
                                  real(family.size()));
     rights[{one, other}] = rights[{other, one}] = right;
-    rights[{other, one}].verdict = turned(right.verdict);
+    rights[{other, one}].verdict = reversed(right.verdict);
   }
   return rights;
 }
@@ -418,8 +418,9 @@ Names named_in(const std::string& text) {
 }
 
 // The first thing that a headline claims, or shows, and that is not so.
-std::string untruth_in(const std::string& text, const Table& table, const show::Answer& answer, const Rights& rights) {
-  const JudgedMetric& judged = answer.decisive();
+std::string untruth_in(const std::string& text, const Table& table, const show::ReportModel& answer,
+                       const Rights& rights) {
+  const JudgedMetric& judged = answer.primary();
   std::string untrue;
   const auto demand = [&](bool is_so, const std::string& what) {
     if (!is_so && untrue.empty()) untrue = what;
@@ -447,8 +448,8 @@ std::string untruth_in(const std::string& text, const Table& table, const show::
   };
   const auto of = [&](auto& one, auto& other) -> const Right& { return rights.at({one, other}); };
   const auto is_better = [&](auto& one, auto& other) { return of(one, other).verdict == Verdict::better; };
-  const auto is_same = [&](auto& one, auto& other) { return of(one, other).verdict == Verdict::same; };
-  const auto is_open = [&](auto& one, auto& other) { return of(one, other).verdict == Verdict::undecided; };
+  const auto is_same = [&](auto& one, auto& other) { return of(one, other).verdict == Verdict::equivalent; };
+  const auto is_open = [&](auto& one, auto& other) { return of(one, other).verdict == Verdict::inconclusive; };
   const auto is_ahead = [&](auto& one, auto& other) {  // by more than the margin, as is shown
     const Real by = (number_of(one) - number_of(other)) * (table.is_larger ? 1 : -1);
     return by > (table.is_share ? 5 : table.margin(number_of(one), number_of(other))) * (1 + 1e-9L);
@@ -456,13 +457,13 @@ std::string untruth_in(const std::string& text, const Table& table, const show::
   const auto look_alike = [&](auto& one, auto& other) { return !is_ahead(one, other) && !is_ahead(other, one); };
   const auto demand_better = [&](const Names& some, const Names& others, bool is_little) {
     all_pairs(some, others, "better", is_better);
-    if (std::ranges::count(judged.observations.doubts, WarningKind::ranks_disagree, &Doubt::kind) == 0)
+    if (std::ranges::count(judged.samples.warnings, WarningKind::ranks_disagree, &Warning::kind) == 0)
       all_pairs(some, others, "better beside numbers", [&](auto& one, auto& other) { return !is_ahead(other, one); });
     if (!is_little) return;
     all_pairs(some, others, "by less", [&](auto& one, auto& other) { return of(one, other).is_small; });
     all_pairs(some, others, "by less beside numbers", look_alike);
   };
-  const std::set<std::string> losers = beaten_solvers(judged.findings);
+  const std::set<std::string> losers = beaten_solvers(judged.comparisons);
   const Names others(losers.begin(), losers.end());
   Names best = answer.solvers();
   std::erase_if(best, [&](const std::string& name) { return losers.contains(name); });
@@ -494,10 +495,10 @@ std::string untruth_in(const std::string& text, const Table& table, const show::
 }
 
 // The same of the words of a pair, and of its numbers as they are printed.
-std::string untruth_in(const Comparison& finding, const JudgedMetric& judged, const Right& right) {
-  const std::string words = show::comparison_text(finding, judged);
-  const std::optional<EffectEstimate>& its_amount = finding.amount;
-  const std::set<double> ends = show::null_and_margin(finding, judged);
+std::string untruth_in(const Comparison& comparison, const JudgedMetric& judged, const Right& right) {
+  const std::string words = show::comparison_text(comparison, judged);
+  const std::optional<EffectEstimate>& its_amount = comparison.estimate;
+  const std::set<double> ends = show::null_and_margin(comparison, judged);
   const std::string amount = its_amount && its_amount->interval
                                  ? fmt::format("{} ({})", show::number_text(its_amount->value),
                                                show::interval_text(*its_amount->interval, {ends.begin(), ends.end()}))
@@ -539,15 +540,16 @@ TEST_CASE("drawn tables are judged as a second reference judges them", "[drawn][
     if (table.is_huge) check("refused", contains(complaint<std::invalid_argument>(read), "beyond"), "1e300");
     if (table.is_huge) continue;
     ++tables;
-    MetricSamples observed = read().observed[0];
+    MetricSamples samples = read().observed[0];
     const auto test = table.by_means ? AnalysisPlan::Test::means : AnalysisPlan::Test::ranks;
-    const JudgedMetric judged = ikbench::judge::judge(observed, csv::with_margin({.test = test}, "", observed));
-    const show::Answer answer = show::answer_of({judged});
+    const JudgedMetric judged = ikbench::judge::judge(samples, csv::with_margin({.test = test}, "", samples));
+    const show::ReportModel answer = show::answer_of({judged});
     const Rights rights = rights_of(table);
     const std::string text = show::headline(answer), untruth = untruth_in(text, table, answer, rights);
     check("sentence", untruth.empty(), untruth + ": " + text);
-    for (const Comparison& finding : answer.decisive().findings) {
-      const std::string untold = untruth_in(finding, answer.decisive(), rights.at({finding.first, finding.second}));
+    for (const Comparison& comparison : answer.primary().comparisons) {
+      const std::string untold =
+          untruth_in(comparison, answer.primary(), rights.at({comparison.first, comparison.second}));
       check("words of a pair", untold.empty(), untold);
     }
     Real rounding = 0;  // of sums of two large differences
@@ -555,15 +557,15 @@ TEST_CASE("drawn tables are judged as a second reference judges them", "[drawn][
     const auto is_near = [&](double value, Real right) {
       return std::abs(value - right) <= 1e-7L * std::abs(right) + std::min(rounding, 1e-6L) + 1e-16L;
     };
-    for (const Comparison& finding : judged.findings) {
-      const Seen its = seen(finding);
-      const Right& right = rights.at({finding.first, finding.second});
+    for (const Comparison& comparison : judged.comparisons) {
+      const Seen its = seen(comparison);
+      const Right& right = rights.at({comparison.first, comparison.second});
       const auto check_pair = [&](const char* what, bool is_so) {
         const auto& [one, other] = std::pair(name_of(its.verdict), name_of(right.verdict));
-        check(what, is_so, fmt::format("{} and {}: {}, right: {}", finding.first, finding.second, one, other));
+        check(what, is_so, fmt::format("{} and {}: {}, right: {}", comparison.first, comparison.second, one, other));
       };
       ++said[std::string(name_of(right.verdict)) + (right.is_small ? " by little" : "")];
-      const bool is_little = right.is_small || right.verdict == Verdict::same;
+      const bool is_little = right.is_small || right.verdict == Verdict::equivalent;
       check_pair("verdict", its.verdict == right.verdict && its.is_within_margin == is_little);
       if (right.verdict == Verdict::not_tested || its.verdict == Verdict::not_tested) continue;
       const bool has_p = its.p.has_value(), has_end = its.interval.has_value(), has_value = its.estimate.has_value();
@@ -574,9 +576,9 @@ TEST_CASE("drawn tables are judged as a second reference judges them", "[drawn][
                                  is_near(its.estimate.value_or(0), right.estimate.value_or(0)));
       check_pair("interval",
                  has_end == right.interval.has_value() && is_near(found.low, low) && is_near(found.high, high));
-      if (const auto* const tested = std::get_if<TestResult>(&finding.what))
+      if (const auto* const tested = std::get_if<TestResult>(&comparison.result))
         check_pair("effect",
-                   is_near(tested->effect->ahead, right.ahead) && is_near(tested->effect->behind, right.behind));
+                   is_near(tested->dominance->better, right.ahead) && is_near(tested->dominance->worse, right.behind));
     }
   }
   for (const auto& [what, count] : compared)

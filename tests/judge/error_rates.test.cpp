@@ -52,7 +52,7 @@ MetricSamples drawn_per_solved(const Row& row, std::size_t k, int n, Random& ran
                               .status = random.uniform() < 0.2 ? Status::tolerance_missed : Status::ok,
                               .evaluations = std::lround(1000 * row.draw(random, g))});
   }
-  return observe(study, metric_named("evaluations_per_solved"));
+  return make_samples(study, metric_named("evaluations_per_solved"));
 }
 
 MetricSamples drawn(const Row& row, std::size_t k, int n, Random& random) {
@@ -68,7 +68,7 @@ MetricSamples drawn(const Row& row, std::size_t k, int n, Random& random) {
   else if (row.in_blocks)
     std::ranges::generate(blocks, [&] { return std::pow(10, 4 * random.uniform()); });
   for (std::size_t g = 0; g < k; ++g) {
-    Measured group;
+    Sample group;
     for (int i = 0; i < (g == 0 ? n : n * row.times); ++i)
       group.values.push_back(row.draw(random, g) * blocks[static_cast<std::size_t>(i % n)]);
     of.groups.push_back({.name = std::string(1, static_cast<char>('A' + g)), .sample = std::move(group)});
@@ -82,11 +82,11 @@ double counted(const Row& row, const MetricSamples& of, std::size_t k) {
     const std::vector<OmnibusTest> tests = anova(of);
     return tests.size() > 1 && tests.back().p < 0.05;
   }
-  const std::vector<Comparison> findings = compare(of, row.plan);
+  const std::vector<Comparison> comparisons = compare(of, row.plan);
   if (row.counts == Counts::interval_without_truth) {
     double intervals = 0, wrong = 0;
-    for (const Comparison& each : findings) {
-      const auto amount = each.first == "A" ? each.amount : std::nullopt;
+    for (const Comparison& each : comparisons) {
+      const auto amount = each.first == "A" ? each.estimate : std::nullopt;
       if (!amount || !amount->interval) continue;
       ++intervals, wrong += amount->interval->low > row.truth || amount->interval->high < row.truth;
     }
@@ -94,12 +94,12 @@ double counted(const Row& row, const MetricSamples& of, std::size_t k) {
   }
   const auto with_first = [&](Verdict verdict) {
     return std::ranges::count_if(
-        findings, [&](const Comparison& each) { return each.first == "A" && verdict_of(each) == verdict; });
+        comparisons, [&](const Comparison& each) { return each.first == "A" && verdict_of(each) == verdict; });
   };
-  if (row.counts == Counts::same_as_first) return with_first(Verdict::same) > 0;
+  if (row.counts == Counts::same_as_first) return with_first(Verdict::equivalent) > 0;
   if (row.counts == Counts::better_than_others)
     return static_cast<double>(with_first(Verdict::better)) / static_cast<double>(k - 1);
-  return std::ranges::any_of(findings, [](const Comparison& each) { return is_difference(verdict_of(each)); });
+  return std::ranges::any_of(comparisons, [](const Comparison& each) { return is_difference(verdict_of(each)); });
 }
 
 // The share of pairs with the first that Mann and Whitney's test finds at 0.05 / pairs.
@@ -258,27 +258,28 @@ TEST_CASE("verdicts are wrong no more often than they say", "[error_rates]") {
 }
 
 // Solvers that cost the same: six sessions of times, evaluations of 50 targets, of which some solve fewer.
-show::Answer drawn_answer(Random& random, std::size_t k, double least_solved, bool are_times_judged) {
+show::ReportModel drawn_answer(Random& random, std::size_t k, double least_solved, bool are_times_judged) {
   MetricSamples solved{.metric = "solved", .better = Better::larger, .scale = EffectScale::share, .is_paired = true},
-      times{.metric = "time", .is_paired = true, .is_log_scale = true, .fewest = 4},
+      times{.metric = "time", .is_paired = true, .is_log_scale = true, .min_blocks = 4},
       evaluations{.metric = "evaluations", .floor = 1e-300, .is_paired = true};
   for (std::size_t g = 0; g < k; ++g) {
-    Measured is_solved, logs, counts;
+    Sample is_solved, logs, counts;
     for (int i = 0; i < 6; ++i) logs.values.push_back(0.05 * random.normal());
     for (int i = 0; i < 50; ++i) counts.values.push_back(random.lognormal(1));
     for (int i = 0; i < 50; ++i) is_solved.values.push_back(random.uniform() < (g % 2 == 0 ? 0.95 : least_solved));
     const std::string name(1, static_cast<char>('A' + g));
     solved.groups.push_back({.name = name, .sample = std::move(is_solved)});
     times.groups.push_back({.name = name, .sample = std::move(logs)});
-    if (!are_times_judged) times.groups.back().sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::apart};
+    if (!are_times_judged)
+      times.groups.back().sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::not_comparable};
     evaluations.groups.push_back({.name = name, .sample = std::move(counts)});
   }
   const AnalysisPlan plan;
   std::vector<JudgedMetric> metrics;
-  for (MetricSamples* const observed : {&solved, &times, &evaluations})  // which the plan names
-    metrics.push_back(judge(*observed, plan, compare(*observed, plan, 3)));
-  show::Answer answer = show::answer_of(std::move(metrics));
-  answer.then = plan.then;
+  for (MetricSamples* const samples : {&solved, &times, &evaluations})  // which the plan names
+    metrics.push_back(judge(*samples, plan, compare(*samples, plan, 3)));
+  show::ReportModel answer = show::answer_of(std::move(metrics));
+  answer.tie_breakers = plan.tie_breakers;
   return answer;
 }
 
@@ -286,8 +287,8 @@ TEST_CASE("what a headline goes on to is wrong no more often than it says", "[er
   const bool asked = asked_sets() > 0;
   const int sets = asked ? asked_sets() : 200;
   if (asked) fmt::print("| second question | k = 2 / 3 / 6 / 10 |\n|---|---|\n");
-  const auto is_wrong = [](const show::Said& fact) {
-    return fact.what == show::Said::What::best || fact.what == show::Said::What::worse;
+  const auto is_wrong = [](const show::Statement& fact) {
+    return fact.kind == show::Statement::StatementKind::best || fact.kind == show::Statement::StatementKind::worse;
   };
   for (const auto& [name, least_solved, are_times_judged] : {std::tuple("all alike, by time", 0.95, true),
                                                              {"half of them solve less, by time", 0.6, true},
@@ -297,9 +298,9 @@ TEST_CASE("what a headline goes on to is wrong no more often than it says", "[er
       Random random(31 + k);
       double& share = shares.emplace_back();
       for (int set = 0; set < sets; ++set) {
-        const show::Answer answer = drawn_answer(random, k, least_solved, are_times_judged);
-        const std::vector<show::Question> questions = show::headline_questions(answer);
-        share += questions.size() > 1 && std::ranges::any_of(questions[1].said, is_wrong);
+        const show::ReportModel answer = drawn_answer(random, k, least_solved, are_times_judged);
+        const std::vector<show::HeadlineQuestion> questions = show::headline_questions(answer);
+        share += questions.size() > 1 && std::ranges::any_of(questions[1].statements, is_wrong);
       }
       share /= sets;
       CAPTURE(name, k, share);

@@ -3,20 +3,19 @@
 namespace {
 
 const JudgedMetric& metric(const JudgedStudy& of, std::string_view slug) {
-  const auto found =
-      std::ranges::find(of.metrics, slug, [](const JudgedMetric& each) { return each.observations.metric; });
+  const auto found = std::ranges::find(of.metrics, slug, [](const JudgedMetric& each) { return each.samples.metric; });
   REQUIRE(found != of.metrics.end());
   return *found;
 }
 
 std::string slugs(const JudgedStudy& of) {
   std::string all;
-  for (const JudgedMetric& each : of.metrics) all += each.observations.metric + " ";
+  for (const JudgedMetric& each : of.metrics) all += each.samples.metric + " ";
   return all;
 }
 
-bool has_doubt(const std::vector<Doubt>& doubts, WarningKind kind) {
-  return std::ranges::find(doubts, kind, &Doubt::kind) != doubts.end();
+bool has_doubt(const std::vector<Warning>& warnings, WarningKind kind) {
+  return std::ranges::find(warnings, kind, &Warning::kind) != warnings.end();
 }
 
 }  // namespace
@@ -25,16 +24,16 @@ TEST_CASE("A report has the metrics that a study has, and is decided by the plan
   const auto as_made = [](SolveRecord&) {};
   const JudgedStudy of = judge::judge(study({}, as_made));
   CHECK(slugs(of) == "error variation time evaluations ");
-  CHECK(of.deciding == 0);
+  CHECK(of.primary == 0);
   const JudgedStudy with = judge::judge(study({.tolerance_cm = 1}, as_made));
   CHECK(slugs(with) == "solved variation time evaluations ");
-  CHECK(with.deciding == 0);
+  CHECK(with.primary == 0);
   const JudgedStudy by_error =
       judge::judge(study({.tolerance_cm = 1, .rest = R"(, "analysis": {"metric": "position_error_cm"})"}, as_made));
   CHECK(slugs(by_error) == "solved error variation time evaluations ");
   const JudgedStudy planned = judge::judge(study({.rest = R"(, "analysis": {"metric": "iterations"})"}, as_made));
   CHECK(slugs(planned) == "error variation time evaluations iterations ");
-  CHECK(planned.deciding == 4);
+  CHECK(planned.primary == 4);
   CHECK_THROWS_AS(judge::judge(study({.rest = R"(, "analysis": {"metric": "beauty"})"}, as_made)),
                   std::invalid_argument);
 }
@@ -46,7 +45,7 @@ TEST_CASE("Of equal solvers the one with fewer evaluations comes first") {
   }));
   CHECK(display_order(metric(of, "error"), of.metrics) == std::vector<std::size_t>{1, 0});
   for (JudgedMetric& each : of.metrics)
-    each.observations.measures = QuantityKind::other;  // as a file's column of that name
+    each.samples.quantity_kind = QuantityKind::other;  // as a file's column of that name
   CHECK(display_order(metric(of, "error"), of.metrics) == std::vector<std::size_t>{0, 1});
 }
 
@@ -58,11 +57,11 @@ TEST_CASE("The plan's test, level, margin and control reach the comparison") {
     return metric(judge::judge(study({.runs = 8, .rest = R"(, "analysis": )" + plan}, errors, {"A", "B", "C"})),
                   "error");
   };
-  CHECK(seen(judged(R"({"test": "means"})").findings.front()).test == "Welch's t");
-  CHECK(judged(R"({"control": "B"})").findings.size() == 2);
-  CHECK(seen(judged(R"({"significance": 0.0001})").findings.front()).why == NotTestedReason::too_few);
-  CHECK_FALSE(seen(judged(R"({})").findings.front()).is_within_margin);
-  CHECK(seen(judged(R"({"margin_percent": 99})").findings.front()).is_within_margin);
+  CHECK(seen(judged(R"({"test": "means"})").comparisons.front()).test == "Welch's t");
+  CHECK(judged(R"({"control": "B"})").comparisons.size() == 2);
+  CHECK(seen(judged(R"({"significance": 0.0001})").comparisons.front()).why == NotTestedReason::too_few);
+  CHECK_FALSE(seen(judged(R"({})").comparisons.front()).is_within_margin);
+  CHECK(seen(judged(R"({"margin_percent": 99})").comparisons.front()).is_within_margin);
 }
 
 TEST_CASE("Means that few values decide are told") {
@@ -75,8 +74,8 @@ TEST_CASE("Means that few values decide are told") {
                                                                                        : 1 + 0.01 * solve.run;
                                                        })),
                                     "error");
-  REQUIRE(has_doubt(error.observations.doubts, WarningKind::dominated_by_few));
-  CHECK(error.observations.doubts.front().who == std::vector<std::string>{"B"});
+  REQUIRE(has_doubt(error.samples.warnings, WarningKind::dominated_by_few));
+  CHECK(error.samples.warnings.front().solvers == std::vector<std::string>{"B"});
 }
 
 TEST_CASE("Where nothing is solved, the error is reported and no cost") {
@@ -96,7 +95,7 @@ TEST_CASE("Two identical solvers have no winner in the headline in 95 % of studi
         solve.position_error_cm = error(engine);
         if (!solves(engine)) solve.status = Status::tolerance_missed;
       }));
-      count += is_difference(verdict_of(of.metrics[of.deciding].findings.front()));
+      count += is_difference(verdict_of(of.metrics[of.primary].comparisons.front()));
     }
     return count;
   };

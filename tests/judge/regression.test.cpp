@@ -24,17 +24,17 @@ StudyResults version(
 }
 
 RegressionCheck gate_of(const StudyResults& before, const StudyResults& after, std::size_t labels = 1,
-                        const GateOptions& options = {}) {
+                        const RegressionOptions& options = {}) {
   std::vector<RegressionCheck> gates(labels, gate(before, after, options));
-  decide(gates);
+  judge_all(gates);
   return gates.front();
 }
 
 // Of two labels of one study.
 RegressionCheck gate_of(StudyResults both, const std::string& candidate, const std::string& baseline,
-                        const GateOptions& options = {}) {
+                        const RegressionOptions& options = {}) {
   std::vector<RegressionCheck> gates{gate(std::move(both), candidate, baseline, options)};
-  decide(gates);
+  judge_all(gates);
   return gates.front();
 }
 
@@ -53,7 +53,7 @@ TEST_CASE("an unchanged solver passes, also where nothing may be open") {
   CHECK(gate.inconclusive.empty());
   CHECK(exit_code({gate}, true) == 0);
   for (const JudgedMetric& judged : gate.judged.metrics)
-    if (judged.observations.unit != "s") CHECK(verdict_of(judged.findings.front()) == Verdict::same);
+    if (judged.samples.unit != "s") CHECK(verdict_of(judged.comparisons.front()) == Verdict::equivalent);
 }
 
 TEST_CASE("three times the evaluations on the targets that it solves are worse, however many it fails") {
@@ -74,13 +74,13 @@ TEST_CASE("5 crashes in 100 solves are worse where the baseline had none") {
     const auto crash = [](SolveRecord& solve) { solve.status = solve.point % 20 == 0 ? Status::crashed : Status::ok; };
     const RegressionCheck gate = gate_of(version(1, asked, solved), version(1, asked, crash));
     CHECK(gate.worse.empty());
-    CHECK(gate.newly_missing == 5);
+    CHECK(gate.new_failures == 5);
     CHECK(exit_code({gate}, false) == 3);
     // As chance may do: its p is not small, and nothing is certain.
     const auto crash_once = [](SolveRecord& solve) { solve.status = solve.point == 7 ? Status::crashed : Status::ok; };
     const RegressionCheck once = gate_of(version(1, asked, solved), version(1, asked, crash_once));
-    CHECK(once.newly_missing == 1);
-    CHECK(seen(once.judged.metrics.back().findings.front()).p == 1);
+    CHECK(once.new_failures == 1);
+    CHECK(seen(once.judged.metrics.back().comparisons.front()).p == 1);
     CHECK(exit_code({once}, false) == 3);
     CHECK(exit_code({gate_of(version(1, asked, crash), version(1, asked, solved))}, false) == 0);
     CHECK(exit_code({gate_of(version(1, asked, crash), version(1, asked, crash))}, false) == 0);
@@ -88,12 +88,12 @@ TEST_CASE("5 crashes in 100 solves are worse where the baseline had none") {
     CHECK(exit_code({gate_of(version(1, asked, solved), version(1, asked, crash_always))}, false) == 3);
     asked.points = 4;  // too few for a test
     const auto crash_half = [](SolveRecord& solve) { solve.status = solve.point < 3 ? Status::crashed : Status::ok; };
-    CHECK(gate_of(version(1, asked, crash_half), version(1, asked, crash_always)).newly_missing == 2);
+    CHECK(gate_of(version(1, asked, crash_half), version(1, asked, crash_always)).new_failures == 2);
   }
 }
 
 TEST_CASE("drawn targets are paired; another task or number of solves is refused") {
-  CHECK(gate_of(version(1, drawn_100), version(2, drawn_100)).judged.metrics.front().observations.is_paired);
+  CHECK(gate_of(version(1, drawn_100), version(2, drawn_100)).judged.metrics.front().samples.is_paired);
   StudyResults part = version(1);
   part.solves.resize(23);
   Asked looser = of_100, more = of_100, seeded = of_100, started = of_100;
@@ -115,7 +115,7 @@ TEST_CASE("drawn targets are paired; another task or number of solves is refused
       {"paths, starts", [](auto& its) { its.task = "another"; }},
       {"paths, starts", [](auto& its) { its.near = 1; }},
       {"paths, starts", [](auto& its) { its.rotation_weight = 2; }},
-      {"treatments of", [](auto& its) { its.limits = results::Limits::enforced; }},
+      {"treatments of", [](auto& its) { its.limits = results::LimitPolicy::enforced; }},
       {"checks", [](auto& its) { its.check.process = {"./check"}; }},
       {"tolerances", [](auto& its) { its.stop.angle_tolerance = 1; }}};
   for (const auto& [what, change] : changes) {
@@ -131,8 +131,8 @@ TEST_CASE("times decide nothing, and those of other stores and of solves that ar
   const Asked in_turns{.start = "initial", .runs = 5, .points = 20, .tolerance_cm = 0.1};
   const auto time_of = [](const RegressionCheck& gate) {
     return seen(std::ranges::find(gate.judged.metrics, "s", [](const JudgedMetric& each) {
-                  return each.observations.unit;
-                })->findings.front());
+                  return each.samples.unit;
+                })->comparisons.front());
   };
   const auto slow = [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = 3 * solve.seconds; };
   const auto slow_and_other = [&](SolveRecord& solve) {
@@ -174,10 +174,10 @@ StudyResults in_turns(int turns, int lag, double seconds) {
 
 TEST_CASE("times of two that solved in turn decide; too few turns and other sessions are no pass") {
   const auto gates_of = [](int turns, int lag, double factor, std::size_t labels = 1) {
-    const GateOptions by_times{.time_margin = 0.1};
+    const RegressionOptions by_times{.time_margin = 0.1};
     std::vector<RegressionCheck> gates(labels,
                                        gate(in_turns(turns, 0, 1e-5), in_turns(turns, lag, factor * 1e-5), by_times));
-    decide(gates);
+    judge_all(gates);
     return gates;
   };
   CHECK(exit_code(gates_of(6, 1, 1.01), true) == 0);
@@ -201,11 +201,10 @@ TEST_CASE("times of two that solved in turn decide; too few turns and other sess
   CHECK_THROWS_WITH(gate(hot, in_turns(6, 1, 1e-5), {.time_margin = 0.1}),
                     ContainsSubstring("before second calls on a target"));
   const RegressionCheck told = gate_of(hot, in_turns(6, 1, 1e-5));
-  const auto time = std::ranges::find(told.judged.metrics, "s", [](auto& each) { return each.observations.unit; });
-  REQUIRE(time->observations.doubts.size() == 1);
-  CHECK_THAT(words_of(time->observations.doubts.front()), ContainsSubstring("before second calls on a target"));
-  CHECK(
-      find_metric(gate_of(in_turns(6, 0, 1e-5), in_turns(6, 1, 1e-5)).judged, "seconds")->observations.doubts.empty());
+  const auto time = std::ranges::find(told.judged.metrics, "s", [](auto& each) { return each.samples.unit; });
+  REQUIRE(time->samples.warnings.size() == 1);
+  CHECK_THAT(warning_text(time->samples.warnings.front()), ContainsSubstring("before second calls on a target"));
+  CHECK(find_metric(gate_of(in_turns(6, 0, 1e-5), in_turns(6, 1, 1e-5)).judged, "seconds")->samples.warnings.empty());
 }
 
 TEST_CASE("a metric that one of the two lacks is not tested") {
@@ -238,10 +237,10 @@ TEST_CASE("labels and metrics that are compared share the significance") {
   const StudyResults before = version(1), after = version(1, of_100, miss_eight);
   const RegressionCheck one = gate_of(before, after), of_six = gate_of(before, after, 6);
   CHECK(std::ranges::count(one.worse, "solved") == 1);
-  CHECK(seen(one.judged.metrics.front().findings.front()).p == 3 * 2 / 256.0);  // solved, time and evaluations
+  CHECK(seen(one.judged.metrics.front().comparisons.front()).p == 3 * 2 / 256.0);  // solved, time and evaluations
   CHECK(std::ranges::count(of_six.worse, "solved") == 0);
   CHECK(std::ranges::count(of_six.inconclusive, "solved") == 1);
-  CHECK(seen(of_six.judged.metrics.front().findings.front()).p == 6 * 3 * 2 / 256.0);
+  CHECK(seen(of_six.judged.metrics.front().comparisons.front()).p == 6 * 3 * 2 / 256.0);
 }
 
 TEST_CASE("what the plan names decides, and what it does not name is told") {
@@ -288,7 +287,7 @@ TEST_CASE("--metric chooses of the plan's metrics those that decide, and changes
   CHECK(one.also_worse == all.worse);
   CHECK(exit_code({one}, false) == 0);
   for (std::size_t i = 0; i < all.judged.metrics.size(); ++i)
-    CHECK(seen(all.judged.metrics[i].findings.front()).p == seen(one.judged.metrics[i].findings.front()).p);
+    CHECK(seen(all.judged.metrics[i].comparisons.front()).p == seen(one.judged.metrics[i].comparisons.front()).p);
   CHECK_THROWS_WITH(gate(before, after, {.metrics = {"motion"}}),
                     ContainsSubstring("names solved, time and evaluations"));
   CHECK_THROWS_WITH(gate(before, after, {.metrics = {"time"}}), ContainsSubstring("--time-margin 10%"));
@@ -332,25 +331,25 @@ TEST_CASE("a pair has one p and one verdict in a metric, whatever tells it") {
     const bool has_control = seed % 5 == 0;
     const StudyResults drawn = drawn_study(seed, has_control ? R"("control": "A")" : "");
     const JudgedStudy report = judge::judge(drawn);
-    for (const GateOptions& options : {GateOptions{}, GateOptions{.time_margin = 0.1}}) {
+    for (const RegressionOptions& options : {RegressionOptions{}, RegressionOptions{.time_margin = 0.1}}) {
       for (const std::string& candidate : drawn.labels) {
         for (const std::string& baseline : drawn.labels) {
           if (candidate == baseline || (has_control && candidate != "A" && baseline != "A")) continue;
           const RegressionCheck told = gate_of(drawn, candidate, baseline, options);
           for (const JudgedMetric& metric : report.metrics) {
-            const auto its = std::ranges::find(told.judged.metrics, metric.observations.metric,
-                                               [](const JudgedMetric& each) { return each.observations.metric; });
+            const auto its = std::ranges::find(told.judged.metrics, metric.samples.metric,
+                                               [](const JudgedMetric& each) { return each.samples.metric; });
             REQUIRE(its != told.judged.metrics.end());
-            REQUIRE(its->findings.size() == 1);
-            const Seen here = seen(its->findings.front());
+            REQUIRE(its->comparisons.size() == 1);
+            const Seen here = seen(its->comparisons.front());
             const Comparison* const found = find_comparison(metric, candidate, baseline);
             REQUIRE(found != nullptr);
             const Seen there = seen(judge::better_first(*found, baseline));
-            CAPTURE(seed, candidate, baseline, metric.observations.quantity);
+            CAPTURE(seed, candidate, baseline, metric.samples.quantity);
             CHECK(here.first == there.first);
             CHECK(here.p == there.p);
             CHECK(is_difference(here.verdict) == is_difference(there.verdict));
-            if (metric.observations.measures != QuantityKind::time) CHECK(here.verdict == there.verdict);
+            if (metric.samples.quantity_kind != QuantityKind::time) CHECK(here.verdict == there.verdict);
             ++pairs;
             decided += is_difference(here.verdict);
           }
@@ -369,27 +368,27 @@ TEST_CASE("labels of another machine change no p of a study's own pairs") {
     StudyResults theirs = drawn_study(seed, "");
     for (std::string& label : theirs.labels) label += " of them";
     for (results::Series& series : theirs.series) series.label += " of them";
-    theirs.beside.of = "elsewhere";
+    theirs.imported.origin = "elsewhere";
     add_imported(own, theirs);
     const JudgedStudy both = judge::judge(std::move(own));
     for (const JudgedMetric& metric : alone.metrics) {
-      const auto its = std::ranges::find(both.metrics, metric.observations.metric,
-                                         [](const JudgedMetric& each) { return each.observations.metric; });
+      const auto its = std::ranges::find(both.metrics, metric.samples.metric,
+                                         [](const JudgedMetric& each) { return each.samples.metric; });
       REQUIRE(its != both.metrics.end());
-      for (const Comparison& finding : metric.findings) {
-        if (finding.first != "A") continue;
-        const Comparison* const found = find_comparison(*its, finding.first, finding.second);
+      for (const Comparison& comparison : metric.comparisons) {
+        if (comparison.first != "A") continue;
+        const Comparison* const found = find_comparison(*its, comparison.first, comparison.second);
         REQUIRE(found != nullptr);
-        CHECK(seen(*found).p == seen(finding).p);
-        CHECK(verdict_of(*found) == verdict_of(finding));
+        CHECK(seen(*found).p == seen(comparison).p);
+        CHECK(verdict_of(*found) == verdict_of(comparison));
       }
       // Theirs are compared with the control alone, and no own pair takes a part of their significance.
-      MetricSamples others = its->observations;
+      MetricSamples others = its->samples;
       std::erase_if(others.groups, [](const Group& group) {
         return group.name != "A" && group.name.find("of them") == std::string::npos;
       });
-      for (const Comparison& finding : compare(others, its->plan, names_in_plan(both.study.definition).size()))
-        CHECK(seen(*find_comparison(*its, finding.first, finding.second)).p == seen(finding).p);
+      for (const Comparison& comparison : compare(others, its->plan, names_in_plan(both.study.definition).size()))
+        CHECK(seen(*find_comparison(*its, comparison.first, comparison.second)).p == seen(comparison).p);
     }
   }
 }
@@ -404,12 +403,12 @@ TEST_CASE("a name of the plan is one family, whichever of its metrics a label ha
     take_more(solve);
   };
   const auto p_of = [](const RegressionCheck& gate, const char* column) {
-    return *seen(find_metric(gate.judged, column)->findings.front()).p;
+    return *seen(find_metric(gate.judged, column)->comparisons.front()).p;
   };
   std::vector<RegressionCheck> both{gate(version(1, of_100, solve_all), version(2, of_100, solve_all_by_more)),
                                     gate(version(1), version(2, of_100, take_more))};
   std::vector<RegressionCheck> alone{both.front()}, other{both.back()};
-  for (std::vector<RegressionCheck>* const gates : {&both, &alone, &other}) decide(*gates);
+  for (std::vector<RegressionCheck>* const gates : {&both, &alone, &other}) judge_all(*gates);
   CHECK(p_of(both[0], "evaluations") == std::min(1.0, 2 * p_of(alone[0], "evaluations")));
   CHECK(p_of(both[1], "evaluations_per_solved") == std::min(1.0, 2 * p_of(other[0], "evaluations_per_solved")));
   CHECK(p_of(alone[0], "evaluations") < 0.5);
@@ -421,9 +420,9 @@ TEST_CASE("solves that are the same bit for bit leave nothing open, however few"
     return study(chained, [=](SolveRecord& solve) { solve.answer_rad.push_back(angle); }, {"mine"});
   };
   const RegressionCheck same = gate_of(with(1), with(1)), other = gate_of(with(1), with(2));
-  CHECK(same.are_same);
+  CHECK(same.is_identical);
   CHECK(exit_code({same}, true) == 0);
-  CHECK_FALSE(other.are_same);
+  CHECK_FALSE(other.is_identical);
   CHECK(exit_code({other}, false) == 0);
   CHECK(exit_code({other}, true) == 4);  // equal numbers of so few runs exclude no rare difference
 }
@@ -442,8 +441,8 @@ TEST_CASE("other budgets are a doubt, and the margin is the baseline's") {
   before.definition.plan.margin = 9;
   const RegressionCheck gate = gate_of(before, after);
   CHECK(gate.worse.empty());
-  REQUIRE(gate.judged.doubts.size() == 1);
-  CHECK_THAT(words_of(gate.judged.doubts.front()), ContainsSubstring("3000 evaluations"));
+  REQUIRE(gate.judged.warnings.size() == 1);
+  CHECK_THAT(warning_text(gate.judged.warnings.front()), ContainsSubstring("3000 evaluations"));
 }
 
 TEST_CASE("a loss of a solver that repeats itself is a fact") {

@@ -11,26 +11,28 @@ const Asked chained{}, fixed_targets{.start = "middle"}, drawn{.start = "middle"
 const auto as_made = [](SolveRecord&) {};
 
 MetricSamples observed(const StudyResults& study, std::string_view metric = "position_error_cm") {
-  return observe(study, metric_named(metric));
+  return make_samples(study, metric_named(metric));
 }
 
 const Group& group(const MetricSamples& of, std::string_view name) {
   return *std::ranges::find(of.groups, name, &Group::name);
 }
 
-std::optional<Doubt> doubt_in(const std::vector<Doubt>& doubts, WarningKind kind) {
-  const auto found = std::ranges::find(doubts, kind, &Doubt::kind);
-  return found == doubts.end() ? std::nullopt : std::optional(*found);
+std::optional<Warning> doubt_in(const std::vector<Warning>& warnings, WarningKind kind) {
+  const auto found = std::ranges::find(warnings, kind, &Warning::kind);
+  return found == warnings.end() ? std::nullopt : std::optional(*found);
 }
 
-std::optional<Doubt> doubt_of(const StudyResults& study, WarningKind kind) { return doubt_in(doubts_of(study), kind); }
+std::optional<Warning> doubt_of(const StudyResults& study, WarningKind kind) {
+  return doubt_in(study_warnings(study), kind);
+}
 
 // Error 10 * run + point.
 void number_errors(SolveRecord& solve) { solve.position_error_cm = 10 * solve.run + solve.point; }
 
 // As by a clock that stands, which no store has.
 StudyResults without_times(StudyResults study) {
-  for (Solve& solve : study.solves) solve.seconds = 0;
+  for (SolveSummary& solve : study.solves) solve.seconds = 0;
   return study;
 }
 
@@ -43,21 +45,21 @@ TEST_CASE("A chained run is one observation: the mean, of times the median") {
   });
   const MetricSamples errors = observed(of);
   CHECK_FALSE(errors.is_paired);
-  CHECK(errors.trials == 4);
+  CHECK(errors.trials_per_observation == 4);
   CHECK(list_of(group(errors, "A")) == Numbers{12.5, 22.5, 32.5, 42.5, 52.5});
-  CHECK(std::get<Measured>(group(errors, "A").sample).blocks.empty());
+  CHECK(std::get<Sample>(group(errors, "A").sample).blocks.empty());
   CHECK(list_of(group(make_samples_by_target(of, metric_named("seconds")), "A")) == Numbers(5, 2.5));
 }
 
 TEST_CASE("Else a target is one: a drawn one's only solve, a fixed one's mean over the runs") {
   const MetricSamples of_drawn = observed(study(drawn, number_errors));
   CHECK(of_drawn.is_paired);
-  CHECK(of_drawn.trials == 1);
+  CHECK(of_drawn.trials_per_observation == 1);
   CHECK(list_of(group(of_drawn, "A")).size() == 20);
   CHECK(list_of(group(of_drawn, "A"))[4] == 21);
   const MetricSamples of_fixed = observed(study(fixed_targets, number_errors));
   CHECK(of_fixed.is_paired);
-  CHECK(of_fixed.trials == 5);
+  CHECK(of_fixed.trials_per_observation == 5);
   CHECK(list_of(group(of_fixed, "A")) == Numbers{31, 32, 33, 34});
   const Asked path_by_points{.start = "previous", .rest = R"(, "analysis": {"values": "points"})"};
   const MetricSamples of_path = observed(study(path_by_points, number_errors));
@@ -86,15 +88,15 @@ TEST_CASE("A chained run that lacks a point gives no observation, and a pair has
   };
   CHECK(list_of(group(observed(without(chained)), "A")) == Numbers{12.5, 32.5, 42.5, 52.5});
   const MetricSamples runs = observed(without(drawn_runs));
-  CHECK(std::get<Measured>(group(runs, "A").sample).blocks == std::vector<int>{1, 3, 4, 5});
-  CHECK(std::get<Measured>(group(runs, "B").sample).blocks == std::vector<int>{1, 2, 3, 4, 5});
+  CHECK(std::get<Sample>(group(runs, "A").sample).blocks == std::vector<int>{1, 3, 4, 5});
+  CHECK(std::get<Sample>(group(runs, "B").sample).blocks == std::vector<int>{1, 2, 3, 4, 5});
   CHECK(missing_in(group(runs, "A")) == 0);
   CHECK(list_of(group(observed(without(drawn)), "A")).size() == 19);
-  const auto doubt = doubt_of(without(chained), WarningKind::runs_missing);
-  REQUIRE(doubt);
-  CHECK(doubt->who == std::vector<std::string>{"A"});
-  CHECK(doubt->count == 1);
-  CHECK(doubt->of == 5);
+  const auto warning = doubt_of(without(chained), WarningKind::runs_missing);
+  REQUIRE(warning);
+  CHECK(warning->solvers == std::vector<std::string>{"A"});
+  CHECK(warning->count == 1);
+  CHECK(warning->total == 5);
 }
 
 TEST_CASE("A solver whose runs repeat each other bit for bit has one observation, times apart") {
@@ -112,10 +114,10 @@ TEST_CASE("A solver whose runs repeat each other bit for bit has one observation
   CHECK(list_of(group(observed(of), "B")).size() == 5);
   CHECK(list_of(group(observed(of, "seconds"), "A")).size() == 5);  // sessions
   CHECK(list_of(group(observed(of, "evaluations"), "A")).size() == 5);
-  const auto doubt = doubt_of(of, WarningKind::repeats_itself);
-  REQUIRE(doubt);
-  CHECK(doubt->who == std::vector<std::string>{"A"});
-  CHECK_FALSE(doubt_of(study(fixed_targets, as_one), WarningKind::repeats_itself));
+  const auto warning = doubt_of(of, WarningKind::deterministic);
+  REQUIRE(warning);
+  CHECK(warning->solvers == std::vector<std::string>{"A"});
+  CHECK_FALSE(doubt_of(study(fixed_targets, as_one), WarningKind::deterministic));
 }
 
 TEST_CASE("Numbers that are not finite are lost; a solve without an answer has its error and no cost") {
@@ -133,17 +135,17 @@ TEST_CASE("Numbers that are not finite are lost; a solve without an answer has i
   const auto never = study(drawn, [](SolveRecord& solve) { solve.status = Status::crashed; });
   CHECK(missing_in(group(observed(never), "B")) ==
         20);  // where the arm stayed is no error of a solver that never moved it
-  const auto doubt = doubt_of(of, WarningKind::without_answer);
-  REQUIRE(doubt);
-  CHECK(doubt->count == 3);
-  CHECK(doubt->of == 20);
+  const auto warning = doubt_of(of, WarningKind::no_answer);
+  REQUIRE(warning);
+  CHECK(warning->count == 3);
+  CHECK(warning->total == 20);
   // A refused answer leaves the arm where it was: that has an error, and moved by nothing.
   const StudyResults refused = study(drawn, [](SolveRecord& solve) {
     solve.status = Status::refused;
     solve.variation_deg = 0;
   });
   CHECK(list_of(group(observed(refused, "variation_deg"), "A")) == Numbers(20, 0.0));
-  CHECK_FALSE(doubt_of(refused, WarningKind::without_answer));
+  CHECK_FALSE(doubt_of(refused, WarningKind::no_answer));
 }
 
 TEST_CASE("Errors at or below the tolerance count as it, before they are averaged") {
@@ -153,10 +155,10 @@ TEST_CASE("Errors at or below the tolerance count as it, before they are average
   };
   const MetricSamples of = observed(study(asked, small));
   CHECK(list_of(group(of, "A")) == Numbers(5, 2.0));
-  CHECK(group(of, "A").at_most == 1);
-  CHECK(group(of, "B").at_most == 0);
+  CHECK(group(of, "A").tolerance == 1);
+  CHECK(group(of, "B").tolerance == 0);
   CHECK(std::isnan(describe(group(of, "A")).sd));
-  CHECK(group(observed(study(chained, small)), "A").at_most == 0);
+  CHECK(group(observed(study(chained, small)), "A").tolerance == 0);
 }
 
 TEST_CASE("Solved is a share where there is a tolerance, and else has no value") {
@@ -166,7 +168,7 @@ TEST_CASE("Solved is a share where there is a tolerance, and else has no value")
   const MetricSamples of = observed(study({.start = "previous", .tolerance_cm = 1}, misses), "solved");
   CHECK(of.better == Better::larger);
   CHECK(of.scale == EffectScale::share);
-  CHECK(of.trials == 4);
+  CHECK(of.trials_per_observation == 4);
   CHECK(list_of(group(of, "A")) == Numbers(5, 0.75));
   CHECK(list_of(group(observed(study(chained, misses), "solved"), "A")).empty());
 }
@@ -182,24 +184,25 @@ TEST_CASE("Where targets have a tolerance, costs are of those that were solved, 
   };
   const MetricSamples of = moves(drawn);
   CHECK(list_of(group(of, "A")).size() == 19);
-  CHECK(std::get<Measured>(group(of, "A").sample).blocks.front() == 2);
-  CHECK(std::get<Measured>(group(of, "B").sample).blocks[1] == 3);
+  CHECK(std::get<Sample>(group(of, "A").sample).blocks.front() == 2);
+  CHECK(std::get<Sample>(group(of, "B").sample).blocks[1] == 3);
   CHECK(list_of(group(moves(fixed_targets), "A")).front() == Approx((201 + 301 + 401 + 501) / 4.0));
   CHECK(list_of(group(moves(chained), "A")).front() == 102.5);
   const auto misses_all = [](SolveRecord& solve) {
     solve.status = solve.label == "A" ? Status::tolerance_missed : Status::ok;
   };
   const MetricSamples of_path = observed(study({.start = "previous", .tolerance_cm = 1}, misses_all), "variation_deg");
-  CHECK(std::get<ExcludedSample>(group(of_path, "A").sample).why == ExcludedSample::NotTestedReason::none);
+  CHECK(std::get<ExcludedSample>(group(of_path, "A").sample).reason == ExcludedSample::NotTestedReason::nothing_solved);
   CHECK(list_of(group(of_path, "B")).size() == 5);
 }
 
 TEST_CASE("Times are compared over whole sessions of this clock in which the machine was not busy") {
-  const auto times = [](const StudyResults& of) { return observe(of, metric_named("seconds")); };
+  const auto times = [](const StudyResults& of) { return make_samples(of, metric_named("seconds")); };
   const auto apart = [](const MetricSamples& of) {
     std::string names;
     for (const Group& each : of.groups)
-      names += untold(each) && untold(each)->why == ExcludedSample::NotTestedReason::apart ? each.name : "";
+      names +=
+          excluded(each) && excluded(each)->reason == ExcludedSample::NotTestedReason::not_comparable ? each.name : "";
     return names;
   };
   const MetricSamples five =
@@ -216,13 +219,13 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
       if (solve.label == "A") solve.timing = timing;
     }));
     CHECK(apart(all) == "AB");
-    REQUIRE(all.doubts.size() == 1);
-    CHECK(all.doubts.front().who.empty());
+    REQUIRE(all.warnings.size() == 1);
+    CHECK(all.warnings.front().solvers.empty());
   }
-  std::vector<Session> former = sessions_of(5);
+  std::vector<Session> former = session_sets(5);
   for (Session& session : former) session.environment.erase("state");
   CHECK(apart(times(study(chained, as_made, {"A", "B"}, former))) == "AB");
-  former[4] = sessions_of(5)[4];  // a store of the former clock that was continued: one session
+  former[4] = session_sets(5)[4];  // a store of the former clock that was continued: one session
   CHECK(apart(times(study(chained, as_made, {"A", "B"}, former))) == "AB");
   CHECK(apart(times(study({.runs = 3}, as_made))) == "AB");
   const auto slowed = [](int runs, int slow, double factor) {
@@ -236,8 +239,8 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   CHECK(apart(four_left).empty());
   CHECK(list_of(group(four_left, "A")).size() == 6);
   CHECK(list_of(group(four_left, "B")).size() == 4);
-  CHECK(four_left.doubts.empty());
-  const auto words_of_apart = [&](const StudyResults& of) { return words_of(times(of).doubts.front()); };
+  CHECK(four_left.warnings.empty());
+  const auto words_of_apart = [&](const StudyResults& of) { return warning_text(times(of).warnings.front()); };
   const auto other_busy = study({.runs = 6}, [](SolveRecord& solve) {  // four sessions each, but two in common
     const bool is_busy = solve.label == "A" ? solve.run <= 2 : solve.run >= 5;
     solve.seconds = solve.cpu_seconds * (is_busy ? 2 : 1);
@@ -249,8 +252,8 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   disturbed.definition.stop.seconds = 0.002;  // it ended B's
   CHECK(apart(observed(disturbed)) == "B");
   const auto other_sessions = [](SolveRecord& solve) { solve.session += solve.label == "B" ? 10 : 0; };
-  std::vector<Session> ten = sessions_of(5);
-  for (Session session : sessions_of(5)) session.id += 10, ten.push_back(session);
+  std::vector<Session> ten = session_sets(5);
+  for (Session session : session_sets(5)) session.id += 10, ten.push_back(session);
   StudyResults later = study(chained, other_sessions, {"A", "B", "CC"}, ten);
   CHECK(apart(times(later)) == "B");
   CHECK_THAT(words_of_apart(later), ContainsSubstring("too few sessions in common"));
@@ -258,7 +261,8 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   later.definition.stop.seconds = 0.001;  // it ended all
   CHECK(apart(observed(later)) == "ABCC");
   StudyResults cut = study(chained, as_made);
-  std::erase_if(cut.solves, [](const Solve& solve) { return solve.label == 1 && solve.run == 5 && solve.point == 4; });
+  std::erase_if(cut.solves,
+                [](const SolveSummary& solve) { return solve.label == 1 && solve.run == 5 && solve.point == 4; });
   const MetricSamples rest = times(cut);
   CHECK(list_of(group(rest, "B")).size() == 4);
   CHECK(compared(rest, {}).front().n == 4);
@@ -267,7 +271,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
     solve.status = solve.label == "A" && solve.run == 2 && solve.point == 1 ? Status::tolerance_missed : Status::ok;
   };
   CHECK(list_of(group(times(study(to_solve, misses_one)), "A")).size() == 4);
-  const MetricSamples spent = observe(study(to_solve, misses_one), metric_named("seconds_per_solved"));
+  const MetricSamples spent = make_samples(study(to_solve, misses_one), metric_named("seconds_per_solved"));
   REQUIRE(list_of(group(spent, "A")).size() == 5);
   double sum = 0;  // the mean is that of all spent by all solved
   for (const double value : list_of(group(spent, "A"))) sum += value / 5;
@@ -275,7 +279,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   const auto solves_none_of_a_session = [](SolveRecord& solve) {
     solve.status = solve.label == "A" && solve.run < 5 ? Status::tolerance_missed : Status::ok;
   };
-  const MetricSamples few = observe(study(to_solve, solves_none_of_a_session), metric_named("seconds_per_solved"));
+  const MetricSamples few = make_samples(study(to_solve, solves_none_of_a_session), metric_named("seconds_per_solved"));
   CHECK(list_of(group(few, "A")).size() == 5);  // who fails pays for it
   const auto solves_when_busy =
       study({.start = "middle", .targets = "drawn", .runs = 6, .tolerance_cm = 1}, [](SolveRecord& solve) {
@@ -283,15 +287,15 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
         if (solve.run > 4) solve.seconds *= 2;
         if (solve.run < 5) solve.status = Status::tolerance_missed;
       });
-  CHECK(words_of(observe(solves_when_busy, metric_named("seconds_per_solved")).doubts.front()) ==
+  CHECK(warning_text(make_samples(solves_when_busy, metric_named("seconds_per_solved")).warnings.front()) ==
         "times of B are not compared: too little is solved in the sessions that are compared");
 }
 
 TEST_CASE("What a program tells is its time, if its processor time leaves room for it") {
   const auto apart = [](const Change& change) {
-    const MetricSamples of = observe(study(chained, change), metric_named("seconds"));
+    const MetricSamples of = make_samples(study(chained, change), metric_named("seconds"));
     std::string names;
-    for (const Group& each : of.groups) names += untold(each) ? each.name : "";
+    for (const Group& each : of.groups) names += excluded(each) ? each.name : "";
     return names;
   };
   const auto in_process = [](const std::string& solvers) {
@@ -310,7 +314,7 @@ TEST_CASE("What a program tells is its time, if its processor time leaves room f
     };
   };
   CHECK(apart(told(0.01, 0.0105)).empty());
-  CHECK(list_of(group(observe(study(chained, told(0.01, 0.0105)), metric_named("seconds")), "B")).front() ==
+  CHECK(list_of(group(make_samples(study(chained, told(0.01, 0.0105)), metric_named("seconds")), "B")).front() ==
         Approx(std::log(0.01)));
   CHECK(apart(told(0.01, 0.05)) == "B");   // of more threads, or told too short
   CHECK(apart(told(0.01, 0.005)) == "B");  // it waited
@@ -318,7 +322,7 @@ TEST_CASE("What a program tells is its time, if its processor time leaves room f
 
 TEST_CASE("Times in batches are of no single call, and those of batches at once of none") {
   const auto batches = [](const char* jobs) {
-    std::vector<Session> sessions = sessions_of(5);
+    std::vector<Session> sessions = session_sets(5);
     for (Session& session : sessions) session.environment["jobs"] = jobs;
     return study(
         chained,
@@ -328,16 +332,16 @@ TEST_CASE("Times in batches are of no single call, and those of batches at once 
         {"A", "B"}, sessions);
   };
   for (const char* metric : {"seconds", "seconds_per_solved", "solved_in_time"}) {
-    const MetricSamples of = observe(batches("1"), metric_named(metric));
-    CHECK(untold(group(of, "B")));
+    const MetricSamples of = make_samples(batches("1"), metric_named(metric));
+    CHECK(excluded(group(of, "B")));
     CHECK(list_of(group(of, "B")).empty());
-    REQUIRE(of.doubts.size() == 1);
-    CHECK(of.doubts.front().who == std::vector<std::string>{"B"});
-    CHECK(observe(batches("2"), metric_named(metric)).doubts.front().who.empty());
+    REQUIRE(of.warnings.size() == 1);
+    CHECK(of.warnings.front().solvers == std::vector<std::string>{"B"});
+    CHECK(make_samples(batches("2"), metric_named(metric)).warnings.front().solvers.empty());
   }
   CHECK(solve_times(batches("1"), "B").empty());
-  CHECK(batches("1").in_batches.at("B").first == std::set{10});
-  CHECK(std::ssize(batches("1").in_batches.at("B").second) == std::ssize(batches("1").of("B")));
+  CHECK(batches("1").batch_timings.at("B").first == std::set{10});
+  CHECK(std::ssize(batches("1").batch_timings.at("B").second) == std::ssize(batches("1").of("B")));
 }
 
 TEST_CASE("Solved in time is a share of all solves, also of busy sessions") {
@@ -355,22 +359,22 @@ TEST_CASE("Solved in time is a share of all solves, also of busy sessions") {
   const JudgedStudy judged = judge::judge(study(asked, late));
   const JudgedMetric* const in_time = find_metric(judged, "solved_in_time");
   REQUIRE(in_time != nullptr);
-  CHECK(in_time->described[0].n == 120);
-  CHECK(in_time->described[0].mean == Approx(19 / 20.0));
-  CHECK(in_time->described[1].mean == Approx((10.5) / 20));
-  const Seen found = seen(in_time->findings.front());
+  CHECK(in_time->descriptives[0].n == 120);
+  CHECK(in_time->descriptives[0].mean == Approx(19 / 20.0));
+  CHECK(in_time->descriptives[1].mean == Approx((10.5) / 20));
+  const Seen found = seen(in_time->comparisons.front());
   CHECK(found.verdict == Verdict::better);
   CHECK(found.n == 6);
   CHECK(found.test == "paired t");
   CHECK(find_metric(judge::judge(study({}, as_made)), "solved_in_time") == nullptr);
   Asked of_a_loop = asked;
   of_a_loop.rest = R"(, "loop": {"period_ms": 2})";
-  CHECK(find_metric(judge::judge(study(of_a_loop, late)), "solved_in_time")->described[0].mean == Approx(19 / 20.0));
+  CHECK(find_metric(judge::judge(study(of_a_loop, late)), "solved_in_time")->descriptives[0].mean == Approx(19 / 20.0));
   const auto late_when_busy = [](SolveRecord& solve) { solve.seconds = solve.run == 1 ? 0.003 : 0.001; };
   const JudgedStudy busy = judge::judge(study(asked, late_when_busy));
-  CHECK(find_metric(busy, "solved_in_time")->described[0].n == 120);
-  CHECK(find_metric(busy, "solved_in_time")->described[0].mean == Approx(100 / 120.0));
-  CHECK(find_metric(busy, "seconds")->described[0].n == 5);  // times are those of quiet sessions
+  CHECK(find_metric(busy, "solved_in_time")->descriptives[0].n == 120);
+  CHECK(find_metric(busy, "solved_in_time")->descriptives[0].mean == Approx(100 / 120.0));
+  CHECK(find_metric(busy, "seconds")->descriptives[0].n == 5);  // times are those of quiet sessions
 }
 
 TEST_CASE("Where time alone ends solves at the deadline, what is solved is solved in time") {
@@ -390,8 +394,8 @@ TEST_CASE("Where time alone ends solves at the deadline, what is solved is solve
   };
   CHECK(find_metric(judged_with(0.002, 1'000'000, 0), "solved_in_time") == nullptr);
   const JudgedStudy planned = judged_with(0.002, 1'000'000, 0, "solved_in_time");  // whoever asks for it has it
-  REQUIRE(find_metric(planned, "solved_in_time") == &planned.metrics[planned.deciding]);
-  CHECK(find_metric(planned, "solved_in_time")->described[0].mean == 1);
+  REQUIRE(find_metric(planned, "solved_in_time") == &planned.metrics[planned.primary]);
+  CHECK(find_metric(planned, "solved_in_time")->descriptives[0].mean == 1);
   CHECK(find_metric(judged_with(0.003, 1'000'000, 0), "solved_in_time") != nullptr);
   CHECK(find_metric(judged_with(0.002, 200, 0), "solved_in_time") != nullptr);
   CHECK(find_metric(judged_with(0.002, 1'000'000, 100), "solved_in_time") != nullptr);
@@ -403,7 +407,7 @@ TEST_CASE("Joint motion that is how a solver rounds makes nobody better") {
     const JudgedStudy all = judge::judge(study(initial, [=](SolveRecord& solve) {
       solve.variation_deg = (solve.label == "A" ? of_a : of_b) * (1 + 0.01 * solve.run);
     }));
-    return verdict_of(find_metric(all, "variation_deg")->findings.front());
+    return verdict_of(find_metric(all, "variation_deg")->comparisons.front());
   };
   CHECK_FALSE(is_difference(judged_with(6e-8, 1e-4)));
   CHECK(judged_with(6e-3, 1e-1) == Verdict::better);
@@ -414,8 +418,8 @@ TEST_CASE("Times of 0 per solved are not compared") {
   const auto misses = [](SolveRecord& solve) {
     solve.status = solve.point == 20 ? Status::tolerance_missed : Status::ok;
   };
-  const MetricSamples of = observe(without_times(study(asked, misses)), metric_named("seconds_per_solved"));
-  CHECK(std::get<ExcludedSample>(group(of, "A").sample).why == ExcludedSample::NotTestedReason::apart);
+  const MetricSamples of = make_samples(without_times(study(asked, misses)), metric_named("seconds_per_solved"));
+  CHECK(std::get<ExcludedSample>(group(of, "A").sample).reason == ExcludedSample::NotTestedReason::not_comparable);
   CHECK(compared(of, {}).front().verdict == Verdict::not_tested);
   // Nor is a program's own time of 0 taken, which its processor time would allow.
   const auto told = [](SolveRecord& solve) { solve.timing = Timing::process, solve.claimed_seconds = 0; };
@@ -424,22 +428,22 @@ TEST_CASE("Times of 0 per solved are not compared") {
 
 TEST_CASE("Evaluations that nobody counted are lost, and a solver's own count is a doubt") {
   const auto counted = [](CountedBy by) {
-    return observe(study(chained,
-                         [by](SolveRecord& solve) {
-                           if (solve.label == "B") solve.counted_by = by, solve.status = Status::not_finite;
-                         }),
-                   metric_named("evaluations"));
+    return make_samples(study(chained,
+                              [by](SolveRecord& solve) {
+                                if (solve.label == "B") solve.counted_by = by, solve.status = Status::not_finite;
+                              }),
+                        metric_named("evaluations"));
   };
-  CHECK(counted(CountedBy::suite).doubts.empty());
+  CHECK(counted(CountedBy::suite).warnings.empty());
   const MetricSamples nobody = counted(CountedBy::nobody), itself = counted(CountedBy::solver);
   CHECK(missing_in(group(nobody, "B")) == 5);
   CHECK(missing_in(group(itself, "B")) == 0);
   for (const MetricSamples& of : {nobody, itself}) {
-    REQUIRE(of.doubts.size() == 1);
-    CHECK(of.doubts.front().kind == WarningKind::counts_not_comparable);
-    CHECK(of.doubts.front().who == std::vector<std::string>{"B"});
-    CHECK(untold(group(of, "B")));
-    CHECK_FALSE(untold(group(of, "A")));
+    REQUIRE(of.warnings.size() == 1);
+    CHECK(of.warnings.front().kind == WarningKind::counts_not_comparable);
+    CHECK(of.warnings.front().solvers == std::vector<std::string>{"B"});
+    CHECK(excluded(group(of, "B")));
+    CHECK_FALSE(excluded(group(of, "A")));
   }
 }
 
@@ -464,10 +468,10 @@ TEST_CASE("Answers that claim too much or lie outside limits are counted") {
     if (solve.run == 2 && solve.label == "A") solve.limit_violation_deg = 3;
     if (solve.run == 3 && solve.point == 1 && solve.label == "A") solve.limit_violation_m = 3;
   });
-  CHECK(doubt_of(of, WarningKind::claimed_but_wrong)->count == 2);
-  CHECK(doubt_of(of, WarningKind::claimed_but_wrong)->of == 40);
+  CHECK(doubt_of(of, WarningKind::misreported)->count == 2);
+  CHECK(doubt_of(of, WarningKind::misreported)->total == 40);
   CHECK(doubt_of(of, WarningKind::limit_violations)->count == 5);
-  CHECK(doubt_of(of, WarningKind::limit_violations)->who == std::vector<std::string>{"A"});
+  CHECK(doubt_of(of, WarningKind::limit_violations)->solvers == std::vector<std::string>{"A"});
 }
 
 TEST_CASE("Budgets differ where equal iterations are half as many evaluations again") {
@@ -480,11 +484,11 @@ TEST_CASE("Budgets differ where equal iterations are half as many evaluations ag
                           }),
                     WarningKind::budgets_differ);
   };
-  const auto doubt = evaluated(3, R"({"iterations": 9})");
-  REQUIRE(doubt);
-  CHECK(doubt->who == std::vector<std::string>{"B", "A"});
-  CHECK(doubt->count == Approx(300));
-  CHECK(doubt->of == Approx(100));
+  const auto warning = evaluated(3, R"({"iterations": 9})");
+  REQUIRE(warning);
+  CHECK(warning->solvers == std::vector<std::string>{"B", "A"});
+  CHECK(warning->count == Approx(300));
+  CHECK(warning->total == Approx(100));
   CHECK_FALSE(evaluated(1.4, R"({"iterations": 9})"));
   CHECK(evaluated(1.6, R"({"iterations": 9, "evaluations": 300})"));
   CHECK_FALSE(evaluated(3, R"({"iterations": 9})", StopReason::tolerance));
@@ -501,43 +505,44 @@ TEST_CASE("A number of the study's check has no name of a metric, in whatever le
 
 TEST_CASE("Targets out of reach and a plan that was changed after the data are told") {
   const Asked asked{.rest = R"(, "out_of_reach": {"points": 2}, "analysis": {"test": "ranks", "margin_percent": 10})"};
-  CHECK(doubt_of(study(asked, as_made), WarningKind::out_of_reach)->count == 2);
-  CHECK(doubt_of(study(asked, as_made), WarningKind::out_of_reach)->of == 4);
+  CHECK(doubt_of(study(asked, as_made), WarningKind::unreachable_targets)->count == 2);
+  CHECK(doubt_of(study(asked, as_made), WarningKind::unreachable_targets)->total == 4);
   const auto recorded = [&](const std::string& plan) {
-    std::vector<Session> sessions = sessions_of(asked.runs);
+    std::vector<Session> sessions = session_sets(asked.runs);
     for (Session& session : sessions) session.environment["analysis"] = plan;
     return doubt_of(study(asked, as_made, {"A", "B"}, sessions), WarningKind::plan_changed);
   };
   CHECK_FALSE(recorded(R"({"test": "ranks", "margin_percent": 10})"));
   REQUIRE(recorded(R"({"test": "means", "margin_percent": 5})"));
-  CHECK(recorded(R"({"test": "means", "margin_percent": 5})")->what == "margin_percent, test");
+  CHECK(recorded(R"({"test": "means", "margin_percent": 5})")->detail == "margin_percent, test");
   CHECK(recorded(R"({"test": "means", "margin_percent": 5})")->count == 40);
   CHECK_FALSE(recorded(R"({"margin_cm": 1, "margin_percent": 10})"));  // a field that is gone
   StudyResults of = study(asked, as_made);
-  of.stale_solves.who = {"B"};
+  of.stale_solves.solvers = {"B"};
   of.stale_solves.count = 7;
   CHECK(doubt_of(of, WarningKind::stale_solves)->count == 7);
 }
 
 TEST_CASE("A usual study has no doubts, and every kind has a line of at most 25 words") {
-  CHECK(doubts_of(study(chained, as_made)).empty());
-  CHECK(doubts_of(study(drawn, as_made)).empty());
+  CHECK(study_warnings(study(chained, as_made)).empty());
+  CHECK(study_warnings(study(drawn, as_made)).empty());
   const std::vector<std::string> many{"one", "two", "three", "four", "five", "six"};
   for (int kind = 0; kind <= static_cast<int>(WarningKind::stale_solves); ++kind) {
-    const std::string line = words_of({.kind = static_cast<WarningKind>(kind),
-                                       .who = many,
-                                       .count = 3,
-                                       .of = 20,
-                                       .what = "the reason in five words"});
+    const std::string line = warning_text({.kind = static_cast<WarningKind>(kind),
+                                           .solvers = many,
+                                           .count = 3,
+                                           .total = 20,
+                                           .detail = "the reason in five words"});
     std::istringstream words(line);
     const auto count = std::distance(std::istream_iterator<std::string>(words), {});
     CAPTURE(line);
     CHECK(count > 4);
     CHECK(count <= 25);
   }
-  CHECK(words_of({.kind = WarningKind::limit_violations, .who = {"A", "B", "C", "D"}}).find("A, B, C, D") !=
+  CHECK(warning_text({.kind = WarningKind::limit_violations, .solvers = {"A", "B", "C", "D"}}).find("A, B, C, D") !=
         std::string::npos);
-  CHECK(words_of({.kind = WarningKind::times_not_comparable, .who = {"mine"}, .what = "the machine was busy"}) ==
+  CHECK(warning_text(
+            {.kind = WarningKind::times_not_comparable, .solvers = {"mine"}, .detail = "the machine was busy"}) ==
         "times of mine are not compared: the machine was busy; solve again: --out NEW");
 }
 
@@ -552,12 +557,12 @@ TEST_CASE("one solve that takes most of the time decides no cost per solved targ
     return *find_metric(judge::judge(of), "evaluations_per_solved");
   };
   const JudgedMetric slow = judged_with(100'000);
-  CHECK(seen(slow.findings.front()).why == NotTestedReason::few_decide);
-  CHECK(slow.observations.doubts.front().who == std::vector<std::string>{"B"});
-  const Seen even = seen(judged_with(100).findings.front());
+  CHECK(seen(slow.comparisons.front()).why == NotTestedReason::few_decide);
+  CHECK(slow.samples.warnings.front().solvers == std::vector<std::string>{"B"});
+  const Seen even = seen(judged_with(100).comparisons.front());
   CHECK((even.verdict == Verdict::better && even.estimate && !even.interval));  // of 16 solved ones
-  CHECK(seen(judged_with(61, 16, 50).findings.front()).verdict == Verdict::undecided);
-  CHECK(seen(judged_with(100, 3).findings.front()).why == NotTestedReason::few_decide);
+  CHECK(seen(judged_with(61, 16, 50).comparisons.front()).verdict == Verdict::inconclusive);
+  CHECK(seen(judged_with(100, 3).comparisons.front()).why == NotTestedReason::few_decide);
 }
 
 TEST_CASE("what attempts spent is by what they solved, and the spread of its parts is its error") {
@@ -576,9 +581,9 @@ TEST_CASE("what attempts spent is by what they solved, and the spread of its par
   const JudgedStudy all = judge::judge(of);
   const JudgedMetric& spent = *find_metric(all, "evaluations_per_solved");
   CHECK(find_metric(all, "evaluations") == nullptr);
-  CHECK(spent.described[0].mean == Approx((80 * 10 + 20 * 1000) / 80.0));
-  CHECK(spent.described[1].mean == Approx(50));
-  const Seen found = seen(spent.findings.front());
+  CHECK(spent.descriptives[0].mean == Approx((80 * 10 + 20 * 1000) / 80.0));
+  CHECK(spent.descriptives[1].mean == Approx(50));
+  const Seen found = seen(spent.comparisons.front());
   CHECK(*found.estimate == Approx(260 / 50.0));
   CHECK(found.verdict == Verdict::worse);
   // The delta method by hand: the variance of each target's part of log(spent) - log(solved), by n.

@@ -32,36 +32,36 @@ struct Seen : Comparison {
   bool is_within_margin = false, are_all_equal = false;
   int n = 0, needed = 0;
 };
-inline Seen seen(const Comparison& finding) {
-  Seen all{finding};
-  all.verdict = verdict_of(finding);
-  all.are_all_equal = are_equal(finding);
-  if (const auto& amount = finding.amount) all.estimate = amount->value, all.interval = amount->interval;
-  if (const auto* const tested = std::get_if<TestResult>(&finding.what)) {
-    all.p = tested->p, all.test = tested->test, all.n = tested->n;
-    all.is_within_margin = tested->is_small || tested->verdict == Verdict::same;
-    if (tested->effect) all.effect = tested->effect->a12();
-  } else if (const auto* const open = std::get_if<NotTested>(&finding.what)) {
-    all.n = open->n, all.needed = open->needed;
-    all.why = open->why == NotTested::NotTestedReason::too_few      ? NotTestedReason::too_few
-              : open->why == NotTested::NotTestedReason::lost       ? NotTestedReason::lost
-              : open->why == NotTested::NotTestedReason::few_decide ? NotTestedReason::few_decide
-                                                                    : NotTestedReason::apart;
+inline Seen seen(const Comparison& comparison) {
+  Seen all{comparison};
+  all.verdict = verdict_of(comparison);
+  all.are_all_equal = all_values_equal(comparison);
+  if (const auto& amount = comparison.estimate) all.estimate = amount->value, all.interval = amount->interval;
+  if (const auto* const tested = std::get_if<TestResult>(&comparison.result)) {
+    all.p = tested->adjusted_p, all.test = tested->test, all.n = tested->n;
+    all.is_within_margin = tested->is_below_margin || tested->verdict == Verdict::equivalent;
+    if (tested->dominance) all.effect = tested->dominance->a12();
+  } else if (const auto* const open = std::get_if<NotTested>(&comparison.result)) {
+    all.n = open->n, all.needed = open->required_n;
+    all.why = open->reason == NotTested::NotTestedReason::sample_too_small ? NotTestedReason::too_few
+              : open->reason == NotTested::NotTestedReason::missing_values ? NotTestedReason::lost
+              : open->reason == NotTested::NotTestedReason::dominated      ? NotTestedReason::few_decide
+                                                                           : NotTestedReason::apart;
   } else {
     all.why = NotTestedReason::fact;
   }
   return all;
 }
-inline std::vector<Seen> compared(const MetricSamples& observed, const AnalysisPlan& plan, std::size_t metrics = 1) {
+inline std::vector<Seen> compared(const MetricSamples& samples, const AnalysisPlan& plan, std::size_t metrics = 1) {
   std::vector<Seen> all;
-  for (const Comparison& finding : compare(observed, plan, metrics)) all.push_back(seen(finding));
+  for (const Comparison& comparison : compare(samples, plan, metrics)) all.push_back(seen(comparison));
   return all;
 }
 inline Seen better_first(const Seen& all, std::string_view control) {
   return seen(judge::better_first(static_cast<const Comparison&>(all), control));
 }
-inline Measured& measured(Group& group) { return std::get<Measured>(group.sample); }
-inline std::vector<double>& values_in(Group& group) { return std::get<Measured>(group.sample).values; }
+inline Sample& sample_of(Group& group) { return std::get<Sample>(group.sample); }
+inline std::vector<double>& values_in(Group& group) { return std::get<Sample>(group.sample).values; }
 inline std::vector<double> list_of(const Group& group) { return {values_of(group).begin(), values_of(group).end()}; }
 
 struct Asked {
@@ -120,7 +120,7 @@ inline results::StoredStudy entry_of(const Asked& asked, const std::vector<std::
 }
 
 // One for each run, as a study makes them.
-inline std::vector<results::Session> sessions_of(int runs) {
+inline std::vector<results::Session> session_sets(int runs) {
   std::vector<results::Session> all;
   for (int run = 1; run <= runs; ++run) all.push_back({.id = run, .environment = {{"cpu", "one"}, {"state", "first"}}});
   return all;
@@ -130,7 +130,7 @@ inline StudyResults study(const Asked& asked, const Change& change,
                           const std::vector<std::string>& solvers = {"A", "B"},
                           const std::vector<results::Session>& sessions = {}) {
   return to_stored(entry_of(asked, solvers), planned_solve_count(asked, solvers, change),
-                   sessions.empty() ? sessions_of(asked.runs) : sessions);
+                   sessions.empty() ? session_sets(asked.runs) : sessions);
 }
 
 }  // namespace ikbench::judge

@@ -42,7 +42,7 @@ TEST_CASE("In a loop a timed solve is late beyond the period, or without an answ
     solve.seconds = solve.point < 3 ? 0.001 * solve.point : 0.003;
     if (solve.point == 4) solve.timing = Timing::parallel;
   });
-  for (const Solve& solve : of.of("A")) CHECK(solve.is_late == (solve.point % 2 == 1));
+  for (const SolveSummary& solve : of.of("A")) CHECK(solve.missed_deadline == (solve.point % 2 == 1));
 }
 
 TEST_CASE("In a loop a joint is too fast beyond its velocity; one without limits goes the shorter way") {
@@ -53,7 +53,8 @@ TEST_CASE("In a loop a joint is too fast beyond its velocity; one without limits
                               limits + "}]}"};
     const StudyResults of =
         study(asked, [](SolveRecord& solve) { solve.start_rad = {3.1}, solve.answer_rad = {-3.1}; });
-    for (const Solve& solve : of.of("A")) CHECK(solve.exceeds_velocity == (limits != "\"none\"" && solve.point > 1));
+    for (const SolveSummary& solve : of.of("A"))
+      CHECK(solve.exceeds_velocity == (limits != "\"none\"" && solve.point > 1));
   }
 }
 
@@ -68,5 +69,5 @@ TEST_CASE("Solves of another version are counted where its own are missing") {
   CHECK(of.of("A").size() == 4);
   CHECK(of.of("B").empty());
   CHECK(of.stale_solves.count == 4);
-  CHECK(of.stale_solves.who == std::vector<std::string>{"B"});
+  CHECK(of.stale_solves.solvers == std::vector<std::string>{"B"});
 }

@@ -139,15 +139,15 @@ TEST_CASE("the sign test leaves equal values out, and has the median's interval"
 }
 
 TEST_CASE("Wilson's and Newcombe's intervals are those published", "[tests_of_two]") {
-  check_interval(wilson(0.9, 20, 0.05), 0.6989663548, 0.9721335188);  // R, prop.test(18, 20, correct = FALSE)
+  check_interval(wilson_interval(0.9, 20, 0.05), 0.6989663548, 0.9721335188);  // R, prop.test(18, 20, correct = FALSE)
   const double zz = 1.959963984540054 * 1.959963984540054;
-  check_interval(wilson(0, 20, 0.05), 0, zz / (20 + zz));
-  check_interval(wilson(1, 20, 0.05), 20 / (20 + zz), 1);
+  check_interval(wilson_interval(0, 20, 0.05), 0, zz / (20 + zz));
+  check_interval(wilson_interval(1, 20, 0.05), 20 / (20 + zz), 1);
   // Newcombe, Statistics in Medicine 17 (1998) 873, Table II, method 10.
-  check_interval(newcombe(56 / 70.0, 70, 48 / 80.0, 80, 0.05), 0.0524, 0.3339, 5.1e-5);
-  check_interval(newcombe(9 / 10.0, 10, 3 / 10.0, 10, 0.05), 0.1705, 0.8090, 5.1e-5);
-  check_interval(newcombe(5 / 56.0, 56, 0, 29, 0.05), -0.0381, 0.1926, 5.1e-5);
-  check_interval(newcombe(1, 10, 0, 10, 0.05), 0.6075, 1, 5.1e-5);
+  check_interval(newcombe_interval(56 / 70.0, 70, 48 / 80.0, 80, 0.05), 0.0524, 0.3339, 5.1e-5);
+  check_interval(newcombe_interval(9 / 10.0, 10, 3 / 10.0, 10, 0.05), 0.1705, 0.8090, 5.1e-5);
+  check_interval(newcombe_interval(5 / 56.0, 56, 0, 29, 0.05), -0.0381, 0.1926, 5.1e-5);
+  check_interval(newcombe_interval(1, 10, 0, 10, 0.05), 0.6075, 1, 5.1e-5);
 }
 
 TEST_CASE("Fisher's p sums the tables that are no more probable", "[tests_of_two]") {
@@ -194,9 +194,9 @@ TEST_CASE("what is no number keeps nothing from its end", "[tests_of_two]") {
   const SomeValues values{1, std::nan(""), 2, 2}, others{std::nan(""), 3, 3, std::nan("")};
   const double p = mann_whitney(values, others);
   CHECK((0 <= p && p <= 1));
-  const Group first{.name = "A", .sample = Measured{.values = values}};
-  const Group second{.name = "B", .sample = Measured{.values = others}};
-  const PairData numbers = prepared(first, second, {.metric = "m", .quantity = "m"}, true, false);
+  const Group first{.name = "A", .sample = Sample{.values = values}};
+  const Group second{.name = "B", .sample = Sample{.values = others}};
+  const PairData numbers = make_pair_data(first, second, {.metric = "m", .quantity = "m"}, true, false);
   REQUIRE(numbers.differences.size() == 4);
   CHECK(numbers.differences[3] != numbers.differences[3]);
 }

@@ -53,15 +53,15 @@ TEST_CASE("the helix study comes out as the paper's Table 3 in the readings of t
     const StudyResults study = solved(seed);
     REQUIRE(study.solves.size() == 6 * 20 * 20);
     for (const auto& [metric, range] : ranges) {
-      const JudgedMetric judged = judge::judge(observe(study, metric_named(metric)), study.definition.plan);
+      const JudgedMetric judged = judge::judge(make_samples(study, metric_named(metric)), study.definition.plan);
       std::map<std::string, double> means;
-      for (std::size_t i = 0; i < judged.described.size(); ++i) {
-        const std::string& solver = judged.observations.groups[i].name;
-        means[solver] = judged.described[i].mean;
+      for (std::size_t i = 0; i < judged.descriptives.size(); ++i) {
+        const std::string& solver = judged.samples.groups[i].name;
+        means[solver] = judged.descriptives[i].mean;
         over_seeds[metric][solver] += means[solver] / seeds;
       }
       // The paper: 7.2e-24 and 7.2e-70.
-      p[metric].push_back(anova(judged.observations).front().p);
+      p[metric].push_back(anova(judged.samples).front().p);
       if (seed == 1) check_means(means, *range);
     }
   }

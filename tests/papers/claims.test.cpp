@@ -58,7 +58,7 @@ TEST_CASE("a claim about solvers of one study has the verdicts of its report", "
         for (const auto& row : pairs.rows) {
           const auto cell = [&](std::size_t column) {
             const auto* const judged = std::get_if<ikbench::show::VerdictCell>(&row[column]);
-            return judged ? judged->words : std::get<std::string>(row[column]);
+            return judged ? judged->text : std::get<std::string>(row[column]);
           };
           const auto is_own = [&](std::size_t column) { return std::ranges::count(claim.solvers, cell(column)) > 0; };
           const std::string& rival = is_own(1) ? cell(2) : cell(1);
@@ -66,7 +66,7 @@ TEST_CASE("a claim about solvers of one study has the verdicts of its report", "
           if (cell(0) != metric->name || is_own(1) == is_own(2) || !is_asked) continue;
           const bool is_found = cell(verdict).starts_with("better");  // the first
           tally.add(cell(verdict).starts_with("not tested") ? Verdict::not_tested
-                    : !is_found                             ? Verdict::undecided
+                    : !is_found                             ? Verdict::inconclusive
                     : is_own(1)                             ? Verdict::better
                                                             : Verdict::worse);
         }
@@ -242,8 +242,8 @@ TEST_CASE("printed columns of means are compared as they are, and counts to one 
   const show::Table table = rates_table(repeated(as_printed, {&searches}));
   REQUIRE(table.columns.size() == 5);
   CHECK(std::get<std::string>(table.rows[0][0]) == "NR");  // in the printed order
-  CHECK(std::get<show::Printed>(table.rows[0][1]).ours == 1111);
-  CHECK(std::get<show::Printed>(table.rows[0][4]).ours == 2);
+  CHECK(std::get<show::PublishedNumber>(table.rows[0][1]).ours == 1111);
+  CHECK(std::get<show::PublishedNumber>(table.rows[0][4]).ours == 2);
   CHECK(rates_figure(repeated(as_printed))->name == "printed");
 }
 
@@ -274,7 +274,7 @@ TEST_CASE("claims are told by verdict, with the whole count of readings", "[pape
   REQUIRE(most != table.rows.end());
   CHECK(std::get<std::string>((*most)[3]) == "65 hold, 460 fail, 339 open");
   CHECK(std::get<std::string>(table.rows.back()[3]) == "not counted");
-  CHECK(std::get<ikbench::show::VerdictCell>(table.rows.back()[1]).words == "not tested");
+  CHECK(std::get<ikbench::show::VerdictCell>(table.rows.back()[1]).text == "not tested");
   CHECK(contains(show::to_text(means_table(repeated(study))), "0.00194 cm   0.0019 "));
   const std::string text = screen({"A sentence."}, {.caption = "Table"}, claims);
   CHECK(text.find("\nholds  ") < text.find("\nnot tested  "));

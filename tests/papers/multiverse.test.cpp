@@ -6,7 +6,7 @@ namespace {
 Group around(double middle) {
   std::vector<double> values;
   for (int run = 0; run < 20; ++run) values.push_back(middle * (1 + 0.02 * ((run * 3) % 20)));
-  return {.sample = Measured{values}};
+  return {.sample = Sample{values}};
 }
 
 results::Dimension dimension(const std::string& name) {
@@ -82,7 +82,7 @@ TEST_CASE("the numbers that repeat are counted by seed, row and of another seed'
   const auto between = [](double low, double high) {
     std::vector<double> values;
     for (int run = 0; run < 20; ++run) values.push_back(low + (high - low) * run / 19);
-    return Group{.sample = Measured{values}};
+    return Group{.sample = Sample{values}};
   };
   SolvedMultiverse multiverse;
   multiverse.solvers = {"IK-BA"};
@@ -99,16 +99,16 @@ TEST_CASE("the numbers that repeat are counted by seed, row and of another seed'
   CHECK(counts.same == std::vector<int>{5, 5, 5, 10, 5, 10});
   CHECK(span_of(counts.same) == "5 to 10");
   CHECK(span_of({7, 7}) == "7");
-  for (auto& means : multiverse.means) means[1].sample = Measured{{1, 2, 3, 4}};
+  for (auto& means : multiverse.means) means[1].sample = Sample{{1, 2, 3, 4}};
   CHECK(counts_by_seed(paper_named("slim2023"), multiverse).of == 0);  // so few runs have no range
 }
 
 TEST_CASE("a solver that diverges is not tested", "[papers]") {
   SolvedMultiverse multiverse = small();
   for (const std::size_t part : {6U, 7U}) {
-    std::vector<double> rest = std::get<Measured>(multiverse.means[part][0].sample).values;
+    std::vector<double> rest = std::get<Sample>(multiverse.means[part][0].sample).values;
     rest.pop_back();
-    multiverse.means[part][0].sample = ExcludedSample{.lost = 1, .values = rest};
+    multiverse.means[part][0].sample = ExcludedSample{.missing = 1, .values = rest};
   }
   const JudgedMultiverse result = judged(paper_named("slim2023"), multiverse, {});
   CHECK(readings_in(result.table.rows.front())[0] == 0);

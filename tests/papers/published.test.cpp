@@ -12,7 +12,7 @@ TEST_CASE("a printed number stands for all that round to its digits, and ours be
   CHECK_FALSE(agrees(34.86, "34.8"));
   CHECK(can_be({0.1, 0.19996}, "0.2"));
   CHECK_FALSE(can_be({0.1, 0.14}, "0.2"));
-  CHECK(std::get<show::Printed>(beside(0.1, "0.2")).printed == "0.2");
+  CHECK(std::get<show::PublishedNumber>(beside(0.1, "0.2")).printed == "0.2");
   CHECK(std::get<double>(beside(0.1, "")) == 0.1);  // alone
 }
 
@@ -63,7 +63,7 @@ TEST_CASE("the range of another study holds 92 % of what such studies have, and 
   int inside = 0;
   for (int study = 0; study < studies; ++study) {
     const Ranges ranges = *predicted_ranges(drawn(), runs);
-    const judge::Descriptives other = judge::described(drawn());
+    const judge::Descriptives other = judge::describe_values(drawn());
     for (std::size_t s = 0; s < statistics.size(); ++s) {
       const double number = other.*statistics[s].of;
       inside += ranges[s].low <= number && number <= ranges[s].high;

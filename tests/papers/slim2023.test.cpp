@@ -2,8 +2,8 @@
 
 namespace {
 
-double ours(const show::Cell& cell) { return std::get<show::Printed>(cell).ours; }
-std::string printed(const show::Cell& cell) { return std::get<show::Printed>(cell).printed; }
+double ours(const show::Cell& cell) { return std::get<show::PublishedNumber>(cell).ours; }
+std::string printed(const show::Cell& cell) { return std::get<show::PublishedNumber>(cell).printed; }
 
 const JudgedStudy& helix() {
   static const JudgedStudy study = study_of({});
@@ -39,7 +39,7 @@ TEST_CASE("Tables 3 to 6 have ours beside the printed numbers", "[papers]") {
   const show::Table table = slim2023::table_3(repeated(helix()));
   REQUIRE(table.rows.size() == 30);
   CHECK(printed(table.rows[12][2]) == "1.7824e-4");
-  CHECK(ours(table.rows[12][2]) == Approx(helix().metrics[0].described[0].sd));
+  CHECK(ours(table.rows[12][2]) == Approx(helix().metrics[0].descriptives[0].sd));
   CHECK(printed(table.rows[0][4]) == "0.2439");
   CHECK(table.name == "table-3");
   CHECK(table.caption.starts_with("Table 3 with 20 agents"));

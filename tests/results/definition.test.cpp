@@ -15,7 +15,7 @@ TEST_CASE("A definition is read into plain data") {
   CHECK(of.robot == "r");
   CHECK(of.search == Search::pose);
   CHECK(of.is_chained());
-  CHECK(of.limits == Limits::enforced);
+  CHECK(of.limits == LimitPolicy::enforced);
   CHECK(of.runs == 3);
   CHECK(of.points == 7);
   CHECK(of.seed == 9007199254740993);
@@ -27,8 +27,8 @@ TEST_CASE("A definition is read into plain data") {
   CHECK(of.stop.evaluations == 4000);
   CHECK(of.stop.seconds == 0.5);
   CHECK(of.departures == std::vector<std::string>{"limits"});
-  CHECK(of.out_of_reach == 3);
-  CHECK(of.steps == std::vector<std::pair<double, bool>>{{45 * degree, true}, {1, false}});  // rad, and m
+  CHECK(of.unreachable_targets == 3);
+  CHECK(of.max_steps == std::vector<std::pair<double, bool>>{{45 * degree, true}, {1, false}});  // rad, and m
   CHECK(of.arm.starts_with("{\"links\""));
   CHECK(of.plan == AnalysisPlan{.test = AnalysisPlan::Test::means, .control = "A", .margin = 0.1});
   CHECK(of.figures ==

@@ -37,7 +37,7 @@ TEST_CASE("a merged store has the studies, solves and sessions of all", "[merge]
   make_store(folder.path / "b", "two", {2, 4});
   const MergeResult merged = merge(folder.path / "out", {folder.path / "a", folder.path / "b"});
   CHECK(merged.added == 4);
-  CHECK(merged.known == 0);
+  CHECK(merged.duplicates == 0);
   const Store store(folder.path / "out", Store::Mode::read);
   REQUIRE(store.studies().size() == 1);
   CHECK(store.studies().front().series.size() == 2);
@@ -115,9 +115,9 @@ TEST_CASE("a store with a solve that the check refuses is named and left out, an
   const MergeResult merged = merging({folder.path / "a", folder.path / "b", folder.path / "c", folder.path / "d"});
   CHECK(merged.added == 2);
   CHECK(merged.stores == 2);
-  REQUIRE(merged.left_out.size() == 2);
-  CHECK_THAT(merged.left_out[0], StartsWith(quoted(folder.path / "b")));
-  CHECK(merged.left_out[1].rfind(quoted(folder.path / "c")) == 0);  // once
+  REQUIRE(merged.skipped.size() == 2);
+  CHECK_THAT(merged.skipped[0], StartsWith(quoted(folder.path / "b")));
+  CHECK(merged.skipped[1].rfind(quoted(folder.path / "c")) == 0);  // once
   edit(folder.path / "out", "UPDATE solves SET evaluations = 7 WHERE run = 4");
   CHECK_THAT(complaint<std::invalid_argument>([&] { merging({folder.path / "a"}); }),
              StartsWith(quoted(folder.path / "out")));
@@ -134,9 +134,9 @@ TEST_CASE("solves that no study of their store has are counted and left out, wit
     edit(folder.path / "b", std::string("UPDATE solves SET evaluations = 7; ") + change);
     const MergeResult merged = merge(folder.path / "out", {folder.path / "a", folder.path / "b"});
     CHECK(merged.added == 1);
-    CHECK(merged.known == 0);
-    REQUIRE(merged.left_out.size() == 1);
-    CHECK(merged.left_out[0] == "2 of 2 solves in " + quoted(folder.path / "b") + ", which none of its studies has");
+    CHECK(merged.duplicates == 0);
+    REQUIRE(merged.skipped.size() == 1);
+    CHECK(merged.skipped[0] == "2 of 2 solves in " + quoted(folder.path / "b") + ", which none of its studies has");
     const Store store(folder.path / "out", Store::Mode::read);
     CHECK(series_of(store, "key-a").size() == 1);
     CHECK(machines(store) == std::vector<std::string>{"one"});
@@ -175,7 +175,7 @@ TEST_CASE("times and studies may differ, and what a NaN was be the same", "[merg
     store.append({record});
   }
   edit(folder.path / "b", "UPDATE solves SET study = 'another'");  // that solved it first
-  CHECK(merge(folder.path / "out", {folder.path / "a", folder.path / "b"}).known == 1);
+  CHECK(merge(folder.path / "out", {folder.path / "a", folder.path / "b"}).duplicates == 1);
   CHECK(series_of(Store(folder.path / "out", Store::Mode::read), "key-a").front().seconds == 1);
 }
 
@@ -328,6 +328,6 @@ TEST_CASE("more stores than SQLite attaches at once, into a store that is there"
   }
   make_store(folder.path / "out", "first", {31});
   CHECK(merge(folder.path / "out", stores).added == 30);
-  CHECK(merge(folder.path / "out", stores).known == 30);
+  CHECK(merge(folder.path / "out", stores).duplicates == 30);
   CHECK(Store(folder.path / "out", Store::Mode::read).sessions().size() == 31);
 }

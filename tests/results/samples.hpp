@@ -115,7 +115,7 @@ inline bool same(const results::SolveRecord& a, const results::SolveRecord& b) {
 
 inline std::vector<results::SolveRecord> series_of(const results::Store& store, const std::string& key) {
   std::vector<results::SolveRecord> list;
-  store.each_of_series(key, [&](results::SolveRecord& record) { list.push_back(std::move(record)); });
+  store.for_each_in_series(key, [&](results::SolveRecord& record) { list.push_back(std::move(record)); });
   return list;
 }
 

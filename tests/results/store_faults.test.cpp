@@ -302,7 +302,7 @@ TEST_CASE("a store that is removed, moved or replaced while it is written is a f
         CHECK_THAT(complaint<std::runtime_error>([&] { store.save_study(sample_study()); }), ContainsSubstring(words));
         CHECK_THAT(complaint<std::runtime_error>([&] { store.begin_session({}); }), ContainsSubstring(words));
       }
-      CHECK_THAT(complaint<std::runtime_error>([&] { store.finish(); }), ContainsSubstring(words));
+      CHECK_THAT(complaint<std::runtime_error>([&] { store.close(); }), ContainsSubstring(words));
       std::filesystem::remove_all(file.parent_path());
       std::filesystem::remove_all(folder.path / "moved");
     }
@@ -343,7 +343,7 @@ TEST_CASE_METHOD(StoreFile, "the end of writing waits for a reader, and leaves o
   });
   reads.get_future().wait();
   store.append({sample_record("key-b", 21)});
-  CHECK(store.finish() == std::vector{file});
+  CHECK(store.close() == std::vector{file});
   CHECK(!std::filesystem::exists(file.string() + "-wal"));
   std::filesystem::copy_file(file, folder.path / "copy.ikb");
   CHECK(series_of(Store(folder.path / "copy.ikb", Store::Mode::read), "key-b").size() == 21);
@@ -360,7 +360,7 @@ TEST_CASE_METHOD(StoreFile,
     SQLite::Statement query(reader, "SELECT * FROM solves");
     query.executeStep();
     store.append({sample_record("key-b", 21)});
-    CHECK(store.finish() == std::vector{file, log});
+    CHECK(store.close() == std::vector{file, log});
     std::filesystem::copy_file(file, folder.path / "copy.ikb");
     std::filesystem::copy_file(log, folder.path / "copy.ikb-wal");
   }
@@ -369,7 +369,7 @@ TEST_CASE_METHOD(StoreFile,
     return series_of(store, "key-a").size() + series_of(store, "key-b").size();
   };
   CHECK(solves(folder.path / "copy.ikb") == 42);
-  CHECK(Store(file, Store::Mode::write).finish() == std::vector{file});  // running again makes one file of them
+  CHECK(Store(file, Store::Mode::write).close() == std::vector{file});  // running again makes one file of them
   CHECK(solves(file) == 42);
 }
 
@@ -379,7 +379,7 @@ TEST_CASE_METHOD(StoreFile, "a store that a kill left half-written is told apart
   CHECK_THAT(refusal(file), ContainsSubstring("is half-written, because ikbench was killed") &&
                                 ContainsSubstring(quoted(std::filesystem::path(file.string() + "-journal"))) &&
                                 ContainsSubstring("give the command that was killed again"));
-  CHECK(Store(file, Store::Mode::write).finish() == std::vector{file});
+  CHECK(Store(file, Store::Mode::write).close() == std::vector{file});
   const std::vector<SolveRecord> solves = Store(file, Store::Mode::read).solves("table-3");
   REQUIRE(solves.size() == 40);
   CHECK(same(solves.front(), sample_record()));

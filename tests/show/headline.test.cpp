@@ -5,7 +5,7 @@
 namespace {
 
 // A and B solve all, C few; B takes three times A's time, and as many evaluations.
-Answer answer_of_three(std::vector<double> time_of_b, bool are_times_compared = true) {
+ReportModel answer_of_three(std::vector<double> time_of_b, bool are_times_compared = true) {
   const auto costs = [](judge::MetricSamples of) {
     of.is_paired = true;
     return of;
@@ -13,16 +13,16 @@ Answer answer_of_three(std::vector<double> time_of_b, bool are_times_compared = 
   judge::MetricSamples times =
       costs(numbers("time", "time", "ms",
                     {{"A", values_around(0.01, 0.2)}, {"B", std::move(time_of_b)}, {"C", values_around(0.001, 0.2)}}));
-  times.fewest = 4;
+  times.min_blocks = 4;
   if (!are_times_compared)
     for (judge::Group& group : times.groups)
-      group.sample = judge::ExcludedSample{.why = judge::ExcludedSample::NotTestedReason::apart};
-  Answer answer = answer_of(
+      group.sample = judge::ExcludedSample{.reason = judge::ExcludedSample::NotTestedReason::not_comparable};
+  ReportModel answer = answer_of(
       std::vector{judged(shares({{"A", solved(20)}, {"B", solved(20)}, {"C", solved(3)}})), judged(std::move(times)),
                   judged(costs(numbers(
                       "evaluations", "evaluations", "",
                       {{"A", values_around(20, 0.1)}, {"B", values_around(40, 0.3)}, {"C", values_around(5, 0.1)}})))});
-  answer.then = results::default_tie_breakers;
+  answer.tie_breakers = results::default_tie_breakers;
   return answer;
 }
 
@@ -44,8 +44,9 @@ TEST_CASE("ratios of many are told from the least to the largest, or once", "[sh
       all_solved.emplace_back(name, solved(20));
       times.emplace_back(name, values_around(*name == 'A' ? 0.01 : *name == 'B' ? time_of_b : 0.1, 0.2));
     }
-    Answer answer = answer_of(std::vector{judged(shares(all_solved)), judged(numbers("time", "time", "ms", times))});
-    answer.then = results::default_tie_breakers;
+    ReportModel answer =
+        answer_of(std::vector{judged(shares(all_solved)), judged(numbers("time", "time", "ms", times))});
+    answer.tie_breakers = results::default_tie_breakers;
     return tie_breaker_sentence(answer);
   };
   CHECK(said(0.02) == "A is the fastest; 6 others take 2 to 10 times as long.");
@@ -53,20 +54,20 @@ TEST_CASE("ratios of many are told from the least to the largest, or once", "[sh
 }
 
 TEST_CASE("one that is best alone, and what is no study, have no second question", "[show]") {
-  Answer answer = answer_of_three(values_around(0.03, 0.3));
-  answer.then = {};
+  ReportModel answer = answer_of_three(values_around(0.03, 0.3));
+  answer.tie_breakers = {};
   CHECK(tie_breaker_sentence(answer).empty());
-  Answer alone = answer_of(std::vector{judged(shares({{"A", solved(20)}, {"B", solved(2)}}))});
-  alone.then = results::default_tie_breakers;
+  ReportModel alone = answer_of(std::vector{judged(shares({{"A", solved(20)}, {"B", solved(2)}}))});
+  alone.tie_breakers = results::default_tie_breakers;
   CHECK(tie_breaker_sentence(alone).empty());
-  answer.then = results::default_tie_breakers;
+  answer.tie_breakers = results::default_tie_breakers;
   answer.metrics.front().plan.control = "C";
   CHECK(tie_breaker_sentence(answer).empty());
 }
 
 TEST_CASE("the plan says what a headline goes on to", "[show]") {
-  Answer answer = answer_of_three(values_around(0.03, 0.3));
-  answer.then = {"evaluations", "time"};
+  ReportModel answer = answer_of_three(values_around(0.03, 0.3));
+  answer.tie_breakers = {"evaluations", "time"};
   CHECK(tie_breaker_sentence(answer).starts_with("A needs the fewest evaluations"));
   CHECK(ranking_note(answer) == "Judged by solved, then evaluations");
 }
@@ -75,7 +76,7 @@ TEST_CASE("numbers of a headline stand behind their solvers, equal ones together
   const auto of = [](std::vector<std::pair<std::string, int>> solvers) {
     std::vector<std::pair<std::string, std::vector<double>>> groups;
     for (const auto& [name, count] : solvers) groups.emplace_back(name, solved(count));
-    Answer answer = answer_of({judged(shares(std::move(groups)))});
+    ReportModel answer = answer_of({judged(shares(std::move(groups)))});
     answer.noun = "targets";
     return headline(answer);
   };

@@ -41,11 +41,11 @@ inline std::vector<double> solved(int count, int n = 20) {
 inline judge::MetricSamples shares(std::vector<std::pair<std::string, std::vector<double>>> groups) {
   judge::MetricSamples of{.metric = "solved",
                           .quantity = "solved",
-                          .measures = judge::QuantityKind::solved,
+                          .quantity_kind = judge::QuantityKind::solved,
                           .better = judge::Better::larger,
                           .scale = judge::EffectScale::share,
                           .is_paired = true};
-  for (auto& [name, values] : groups) of.groups.push_back({.name = name, .sample = judge::Measured{std::move(values)}});
+  for (auto& [name, values] : groups) of.groups.push_back({.name = name, .sample = judge::Sample{std::move(values)}});
   return of;
 }
 
@@ -53,7 +53,7 @@ inline judge::MetricSamples numbers(std::string metric, std::string quantity, st
                                     std::vector<std::pair<std::string, std::vector<double>>> groups) {
   judge::MetricSamples of{
       .metric = std::move(metric), .quantity = std::move(quantity), .unit = std::move(unit), .floor = 1e-9};
-  for (auto& [name, values] : groups) of.groups.push_back({.name = name, .sample = judge::Measured{std::move(values)}});
+  for (auto& [name, values] : groups) of.groups.push_back({.name = name, .sample = judge::Sample{std::move(values)}});
   return of;
 }
 
@@ -83,7 +83,7 @@ inline judge::JudgedStudy judged_study(const std::string& mine = "mine") {
 
   all.metrics.push_back(judged(shares({{mine, solved(6)}, {"PSO", solved(13)}, {"DLS", solved(20)}})));
   const auto add = [&](judge::MetricSamples costs) {
-    costs.is_of_solved = true;
+    costs.is_conditional_on_success = true;
     all.metrics.push_back(judged(std::move(costs)));
   };
   add(numbers("variation", "joint motion", "deg",
@@ -91,14 +91,14 @@ inline judge::JudgedStudy judged_study(const std::string& mine = "mine") {
   judge::MetricSamples times = numbers(
       "time", "time", "s",
       {{mine, values_around(0.084, 0.2)}, {"PSO", values_around(4.5e-5, 0.2)}, {"DLS", values_around(4.2e-6, 0.2)}});
-  times.groups[0].sample = judge::ExcludedSample{.why = judge::ExcludedSample::NotTestedReason::apart,
-                                                 .values = std::get<judge::Measured>(times.groups[0].sample).values};
+  times.groups[0].sample = judge::ExcludedSample{.reason = judge::ExcludedSample::NotTestedReason::not_comparable,
+                                                 .values = std::get<judge::Sample>(times.groups[0].sample).values};
   add(std::move(times));
-  all.metrics.back().observations.doubts.push_back({.kind = judge::WarningKind::times_not_comparable,
-                                                    .who = {mine},
-                                                    .count = 20,
-                                                    .of = 20,
-                                                    .what = "the machine was busy"});
+  all.metrics.back().samples.warnings.push_back({.kind = judge::WarningKind::times_not_comparable,
+                                                 .solvers = {mine},
+                                                 .count = 20,
+                                                 .total = 20,
+                                                 .detail = "the machine was busy"});
   add(numbers("evaluations", "evaluations", "",
               {{mine, values_around(3715, 0.1)}, {"PSO", values_around(2620, 0.1)}, {"DLS", values_around(17, 0.1)}}));
   return all;

@@ -4,8 +4,8 @@ using judge::MetricSamples;
 
 namespace {
 
-Answer of(MetricSamples observations, const results::AnalysisPlan& plan = {}) {
-  Answer result = answer_of({judged(std::move(observations), plan)});
+ReportModel of(MetricSamples observations, const results::AnalysisPlan& plan = {}) {
+  ReportModel result = answer_of({judged(std::move(observations), plan)});
   result.noun = "targets";
   return result;
 }
@@ -28,11 +28,11 @@ std::vector<double> two_modes(double first, int lower, double second) {
   return values;
 }
 
-std::string table_of_verdicts(const Answer& answer) {
+std::string table_of_verdicts(const ReportModel& answer) {
   std::string text;
   for (const judge::JudgedMetric& judged : answer.metrics) {
-    for (const judge::Comparison& finding : judged.findings)
-      text += fmt::format("  {} vs {}: {}\n", finding.first, finding.second, comparison_text(finding, judged));
+    for (const judge::Comparison& comparison : judged.comparisons)
+      text += fmt::format("  {} vs {}: {}\n", comparison.first, comparison.second, comparison_text(comparison, judged));
   }
   return text;
 }
@@ -43,27 +43,27 @@ TEST_CASE("what is better where most values are equal says how often", "[show]")
   std::vector<double> at_tolerance(60, 0.01), some = at_tolerance;
   for (std::size_t i = 0; i < 15; ++i) some[i] = 1 + static_cast<double>(i);
   const judge::JudgedMetric error = judged(errors({{"A", at_tolerance}, {"B", some}}));
-  CHECK(comparison_text(error.findings.front(), error) == "better");
-  CHECK(dominance_text(error.findings.front()) == "better in 25 %, worse in 0 % of comparisons");
+  CHECK(comparison_text(error.comparisons.front(), error) == "better");
+  CHECK(dominance_text(error.comparisons.front()) == "better in 25 %, worse in 0 % of comparisons");
 }
 
 TEST_CASE("an end of an interval that p excludes says so", "[show]") {
   MetricSamples unpaired = shares({{"A", solved(0)}, {"B", solved(33, 200)}});
   unpaired.is_paired = false;
   const judge::JudgedMetric error = of(unpaired).metrics[0];
-  const judge::Comparison& pair = error.findings.front();
-  CHECK(interval_text(*pair.amount->interval, {0}) == "above 0 to 22.3");
+  const judge::Comparison& pair = error.comparisons.front();
+  CHECK(interval_text(*pair.estimate->interval, {0}) == "above 0 to 22.3");
 }
 
 TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
   const auto metric = [](const char* name) {
     judge::JudgedMetric of = judged(numbers(name, name, "", {{"A", {1, 2, 3}}, {"B", {5}}}));
-    of.observations.doubts.push_back({.kind = judge::WarningKind::dominated_by_few, .who = {"A"}, .what = name});
+    of.samples.warnings.push_back({.kind = judge::WarningKind::dominated_by_few, .solvers = {"A"}, .detail = name});
     return of;
   };
-  const std::vector<judge::Doubt> doubts = answer_of({metric("time"), metric("evaluations")}).all_warnings();
-  REQUIRE(doubts.size() == 1);
-  CHECK(doubts.front().what == "time, evaluations");
+  const std::vector<judge::Warning> warnings = answer_of({metric("time"), metric("evaluations")}).all_warnings();
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings.front().detail == "time, evaluations");
 }
 
 TEST_CASE("a limit of one is one", "[show]") {
@@ -74,7 +74,7 @@ TEST_CASE("a limit of one is one", "[show]") {
 
 TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   std::string all;
-  const auto add = [&](const std::string& what, const Answer& answer) {
+  const auto add = [&](const std::string& what, const ReportModel& answer) {
     all += fmt::format("{}:\n  {}\n{}", what, headline(answer), table_of_verdicts(answer));
   };
   const auto a = values_around(1, 0.5), b = values_around(3, 0.5), c = values_around(3.1, 0.5);
@@ -111,39 +111,40 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
 
   MetricSamples two_fields =
       shares({{"LM", {1}}, {"PSO", {0.2, 0.4, 0.3, 0.5, 0.4}}, {"BA", {0, 0.01, 0.02, 0.01, 0}}});
-  two_fields.groups[0].sample = judge::Measured{.values = {1}, .repeats_itself = true};
-  two_fields.groups.push_back({.name = "DLS", .sample = judge::Measured{.values = {1}, .repeats_itself = true}});
-  two_fields.is_paired = false, two_fields.trials = 20;
+  two_fields.groups[0].sample = judge::Sample{.values = {1}, .is_deterministic = true};
+  two_fields.groups.push_back({.name = "DLS", .sample = judge::Sample{.values = {1}, .is_deterministic = true}});
+  two_fields.is_paired = false, two_fields.trials_per_observation = 20;
   add("two fields that no test joins", of(two_fields));
   MetricSamples repeated = errors({{"A", {1}}, {"B", {2}}});
-  repeated.groups[0].sample = judge::Measured{.values = {1}, .repeats_itself = true},
-  repeated.groups[1].sample = judge::Measured{.values = {2}, .repeats_itself = true};
+  repeated.groups[0].sample = judge::Sample{.values = {1}, .is_deterministic = true},
+  repeated.groups[1].sample = judge::Sample{.values = {2}, .is_deterministic = true};
   add("facts", of(repeated));
   MetricSamples lost = errors({{"A", a}, {"B", b}});
-  lost.groups[1].sample = judge::ExcludedSample{.lost = 3, .values = b};
+  lost.groups[1].sample = judge::ExcludedSample{.missing = 3, .values = b};
   add("lost values", of(lost));
   MetricSamples bound = errors({{"A", std::vector<double>(20, 0.1)}, {"B", b}});
-  bound.groups[0].at_most = 0.1;
+  bound.groups[0].tolerance = 0.1;
   add("at the tolerance", of(bound));
   MetricSamples several = shares({{"A", {0.5, 0.75, 1, 0.75}}, {"B", {1, 1, 1, 0.75}}});
-  several.trials = 4;
+  several.trials_per_observation = 4;
   add("several runs a target", of(several));
   check_golden("headlines.txt", all);
 }
 
 TEST_CASE("a pair is told from the better one, and from the control's other", "[show]") {
-  const Answer plain = of(errors({{"bad", values_around(3, 0.5)}, {"good", values_around(1, 0.5)}}));
-  const judge::Comparison& finding = plain.metrics[0].findings[0];
-  const judge::EffectEstimate& amount = *finding.amount;
-  CHECK(finding.first == "good");
-  CHECK(verdict_of(finding) == judge::Verdict::better);
+  const ReportModel plain = of(errors({{"bad", values_around(3, 0.5)}, {"good", values_around(1, 0.5)}}));
+  const judge::Comparison& comparison = plain.metrics[0].comparisons[0];
+  const judge::EffectEstimate& amount = *comparison.estimate;
+  CHECK(comparison.first == "good");
+  CHECK(verdict_of(comparison) == judge::Verdict::better);
   CHECK(amount.value == Approx(1 / 3.0).epsilon(1e-9));
   CHECK(amount.interval->low < amount.value);
   CHECK(amount.value < amount.interval->high);
-  CHECK(std::get<judge::TestResult>(finding.what).effect->a12() > 0.9);
+  CHECK(std::get<judge::TestResult>(comparison.result).dominance->a12() > 0.9);
 
-  const Answer gate = of(errors({{"old", values_around(1, 0.5)}, {"new", values_around(3, 0.5)}}), {.control = "old"});
-  CHECK(gate.metrics[0].findings[0].first == "new");
-  CHECK(verdict_of(gate.metrics[0].findings[0]) == judge::Verdict::worse);
-  CHECK(gate.metrics[0].findings[0].amount->value == Approx(3).epsilon(1e-9));
+  const ReportModel gate =
+      of(errors({{"old", values_around(1, 0.5)}, {"new", values_around(3, 0.5)}}), {.control = "old"});
+  CHECK(gate.metrics[0].comparisons[0].first == "new");
+  CHECK(verdict_of(gate.metrics[0].comparisons[0]) == judge::Verdict::worse);
+  CHECK(gate.metrics[0].comparisons[0].estimate->value == Approx(3).epsilon(1e-9));
 }

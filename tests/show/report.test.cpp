@@ -18,14 +18,14 @@ Report make_report(const std::string& mine = "mine") {
 
 std::size_t lines_in(const std::string& text) { return static_cast<std::size_t>(std::ranges::count(text, '\n')); }
 
-Answer of_many(std::size_t solvers) {
+ReportModel of_many(std::size_t solvers) {
   std::vector<std::pair<std::string, std::vector<double>>> groups;
   for (std::size_t i = 0; i < solvers; ++i)
     groups.emplace_back(fmt::format("solver {}", i), values_around(1 + 0.3 * static_cast<double>(i), 0.5));
-  Answer all =
+  ReportModel all =
       answer_of({judged(numbers("error", "error", "mm", groups)), judged(numbers("time", "time", "ms", groups))});
   for (int i = 0; i < 2; ++i)
-    all.doubts.push_back({.kind = judge::WarningKind::runs_missing, .who = {"a"}, .count = 1.0 + i, .of = 20});
+    all.warnings.push_back({.kind = judge::WarningKind::runs_missing, .solvers = {"a"}, .count = 1.0 + i, .total = 20});
   return all;
 }
 
@@ -42,26 +42,26 @@ TEST_CASE("each section has its words", "[show]") {
     std::erase(name, '?');
     check_golden(name + ".md", text);
   }
-  check_golden("screen.txt", screen(make_report().answer, "out/mine/report.html"));
+  check_golden("screen.txt", terminal_report(make_report().answer, "out/mine/report.html"));
 }
 
 TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
   const Report report = make_report();
   const auto json = to_json(report.answer);
   const Table results = results_table(report.answer);
-  const std::string on_screen = screen(report.answer);
+  const std::string on_screen = terminal_report(report.answer);
   for (const auto& row : results.rows) {
     const auto& solver = std::get<std::string>(row[0]);
     for (std::size_t c = 1; c < row.size(); ++c) {
       const std::string& metric = results.columns[c].name;
       const auto* marked = std::get_if<ValueCell>(&row[c]);
       if (std::holds_alternative<std::monostate>(row[c])) continue;
-      if (marked && marked->to_reference) {
+      if (marked && marked->relative_to_reference) {
         const auto of = std::ranges::find(report.answer.metrics, metric,
-                                          [](const judge::JudgedMetric& each) { return each.observations.quantity; });
-        const judge::Comparison finding = judge::better_first(*find_comparison(*of, solver, "DLS"), "DLS");
-        CHECK(marked->value == finding.amount->value);
-        CHECK((marked->mark == "*") == (verdict_of(finding) == judge::Verdict::worse));
+                                          [](const judge::JudgedMetric& each) { return each.samples.quantity; });
+        const judge::Comparison comparison = judge::better_first(*find_comparison(*of, solver, "DLS"), "DLS");
+        CHECK(marked->value == comparison.estimate->value);
+        CHECK((marked->mark == "*") == (verdict_of(comparison) == judge::Verdict::worse));
         CHECK(on_screen.find(number_text(marked->value, 2) + " times") != std::string::npos);
         continue;
       }
@@ -76,12 +76,13 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
     }
   }
   CHECK(std::string(json["headline"]) == "DLS (solved 20 of 20 targets) is best; PSO (13) and mine (6) are worse.");
-  for (const auto& finding : json["findings"]) {
-    if (finding["metric"] != "solved") continue;
-    const std::string first = finding["first"], second = finding["second"];
+  for (const auto& comparison : json["findings"]) {
+    if (comparison["metric"] != "solved") continue;
+    const std::string first = comparison["first"], second = comparison["second"];
     INFO(first << " vs " << second);
-    CHECK(contains(on_screen, fmt::format("{} to {}", number_text(finding["low"]), number_text(finding["high"]))));
-    for (const std::string& number : {number_text(finding["estimate"]), p_text(finding["p"], {})})
+    CHECK(
+        contains(on_screen, fmt::format("{} to {}", number_text(comparison["low"]), number_text(comparison["high"]))));
+    for (const std::string& number : {number_text(comparison["estimate"]), p_text(comparison["p"], {})})
       CHECK(contains(on_screen, number));
   }
   CHECK(json["findings"].size() == 12);
@@ -89,12 +90,12 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
 
 TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
   std::string all;
-  const auto add = [&](const std::string& what, const Answer& answer) {
+  const auto add = [&](const std::string& what, const ReportModel& answer) {
     all += fmt::format("{}:\n", what);
-    for (const std::string& sentence : results_of(answer)) all += fmt::format("  {}\n", sentence);
+    for (const std::string& sentence : results_sentences(answer)) all += fmt::format("  {}\n", sentence);
   };
-  const auto of = [](judge::MetricSamples observed, const judge::AnalysisPlan& plan = {}) {
-    Answer answer = answer_of({judged(std::move(observed), plan)});
+  const auto of = [](judge::MetricSamples samples, const judge::AnalysisPlan& plan = {}) {
+    ReportModel answer = answer_of({judged(std::move(samples), plan)});
     answer.noun = "targets";
     return answer;
   };
@@ -113,9 +114,9 @@ TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
   add("seventeen", of(errors_of(17)));
   add("ten, with a control", of(errors_of(10), {.control = "S4"}));
   judge::MetricSamples lost = errors_of(3);
-  lost.groups[1].sample = judge::ExcludedSample{.lost = 3, .values = {1, 2}};
+  lost.groups[1].sample = judge::ExcludedSample{.missing = 3, .values = {1, 2}};
   add("one not compared", of(lost));
-  Answer nothing =
+  ReportModel nothing =
       answer_of({judged(shares({{"A", solved(0)}, {"B", solved(0)}, {"C", solved(0)}})), judged(errors_of(3))}, 1);
   add("nothing solved", nothing);
   add("too few", of(numbers("error", "error", "mm", {{"A", {1, 2, 3}}, {"B", {4, 5, 6}}})));
@@ -139,7 +140,7 @@ TEST_CASE("a table of results shows medians or means, by which solvers are teste
 
 TEST_CASE("a screen has the solvers up to 20, ten lines beside them and 100 columns", "[show]") {
   for (const std::size_t solvers : {1u, 2u, 3u, 6u, 7u, 17u, 24u}) {
-    const std::string text = screen(of_many(solvers), "out/many/report.html");
+    const std::string text = terminal_report(of_many(solvers), "out/many/report.html");
     INFO(text);
     CHECK(lines_in(text) <= 9 + std::min<std::size_t>(solvers, 20));
     CHECK(text.find(" vs ") == std::string::npos);  // they are on the page
@@ -148,10 +149,10 @@ TEST_CASE("a screen has the solvers up to 20, ten lines beside them and 100 colu
     for (std::string line; std::getline(lines, line);) CHECK(character_count(line) <= 100);
   }
   const std::string hostile = std::string(300, 'x') + "\x1b[2J\n";
-  const std::string text = screen(answer_of(judged_study(hostile)));
+  const std::string text = terminal_report(answer_of(judged_study(hostile)));
   CHECK(text.find('\x1b') == std::string::npos);
   CHECK(text.find(std::string(40, 'x')) == std::string::npos);  // nor in a warning
-  const std::string of_two = screen(
+  const std::string of_two = terminal_report(
       answer_of({judged(numbers("v", "a\nb\x1b", "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}))}));
   CHECK(contains(of_two, "a b"));
   CHECK(of_two.find('\x1b') == std::string::npos);
@@ -161,18 +162,18 @@ TEST_CASE("below the pairs of two solvers stands which metric decides", "[show]"
   const auto of_two = [](const std::string& metric) {
     return judged(numbers(metric, metric, "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}));
   };
-  Answer two = answer_of({of_two("error"), of_two("effort")}, 1);
-  const auto is_told = [](const Answer& answer) {
-    return screen(answer).find(ranking_note(answer)) != std::string::npos;
+  ReportModel two = answer_of({of_two("error"), of_two("effort")}, 1);
+  const auto is_told = [](const ReportModel& answer) {
+    return terminal_report(answer).find(ranking_note(answer)) != std::string::npos;
   };
   CHECK(ranking_note(two) == "Judged by effort");
   CHECK(is_told(two));
   CHECK(pairs_table(two).notes.front().starts_with(ranking_note(two)));
   two.verdict = "A is worse.";
-  two.metrics[1].observations.doubts.push_back(
-      {.kind = judge::WarningKind::time_limit_decides, .who = {"A"}, .what = "slow"});
-  CHECK(screen(two).starts_with("A is worse.\n\n"));
-  CHECK(screen(two).find("! A was stopped by the time limit") != std::string::npos);
+  two.metrics[1].samples.warnings.push_back(
+      {.kind = judge::WarningKind::time_limit_decides, .solvers = {"A"}, .detail = "slow"});
+  CHECK(terminal_report(two).starts_with("A is worse.\n\n"));
+  CHECK(terminal_report(two).find("! A was stopped by the time limit") != std::string::npos);
   CHECK(ranking_note(two).find("effort") == std::string::npos);
   CHECK(ranking_note(answer_of({of_two("error")})).empty());
   CHECK(is_told(answer_of(judged_study())));  // others have marks, too
@@ -187,14 +188,14 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
   base::write_file(folder.path / "store.sqlite", "not ours");
   base::write_file(folder.path / "solves.csv", "");
   base::write_file(folder.path / "tables" / "own.csv", "not ours");
-  publish(before, folder.path, options);
+  write_report(before, folder.path, options);
   CHECK(fs::exists(folder.path / "figures"));
   const auto has_gone = [&] {
     return std::ranges::any_of(fs::recursive_directory_iterator(folder.path),
                                [](const auto& entry) { return entry.path().stem() == "joints"; });
   };
   CHECK(has_gone());
-  const Written written = publish(make_report(hostile), folder.path, options);
+  const WrittenReport written = write_report(make_report(hostile), folder.path, options);
   CHECK_FALSE(has_gone());
   CHECK(fs::exists(folder.path / "store.sqlite"));
   CHECK(fs::exists(folder.path / "tables" / "own.csv"));
@@ -223,9 +224,9 @@ TEST_CASE("only files that a report has written are replaced or removed", "[show
       "store.sqlite", "../precious.csv", "tables/../../precious.csv", 7]})");
   const std::string list = text_in(out / "results.json");
   write_text(out / "results.json", R"({"experiment": 7, )" + list.substr(1));  // somebody else's
-  CHECK_THROWS_AS(publish(make_report(), out, {.only = {"none"}}), std::invalid_argument);
+  CHECK_THROWS_AS(write_report(make_report(), out, {.only = {"none"}}), std::invalid_argument);
   write_text(out / "results.json", list);
-  publish(make_report(), out, {.only = {"none"}});
+  write_report(make_report(), out, {.only = {"none"}});
   CHECK_FALSE(fs::exists(out / "tables" / "table-8.csv"));
   for (const char* file : {"tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious.csv"})
     CHECK(fs::exists(out / file));
@@ -233,18 +234,18 @@ TEST_CASE("only files that a report has written are replaced or removed", "[show
                            "tables/results.csv", "figures/source/style.gp"}) {
     const fs::path other = folder.path / fs::path(name).filename();
     base::write_file(other / name, "not ours");
-    CHECK_THROWS_WITH(claim(other, {name}), ContainsSubstring(name));
+    CHECK_THROWS_WITH(reserve_files(other, {name}), ContainsSubstring(name));
     if (name != std::string("solves.csv"))  // which publish does not write
-      CHECK_THROWS_WITH(publish(make_report(), other, {.gnuplot = "none"}), ContainsSubstring(name));
+      CHECK_THROWS_WITH(write_report(make_report(), other, {.gnuplot = "none"}), ContainsSubstring(name));
     CHECK(*base::read_file(other / name) == "not ours");
     fs::remove(other / name);
     fs::create_symlink("nowhere", other / name);
-    CHECK_THROWS_WITH(claim(other, {name}), ContainsSubstring(name));
+    CHECK_THROWS_WITH(reserve_files(other, {name}), ContainsSubstring(name));
   }
   // A report that was killed is continued.
-  claim(killed, report_files({"results"}, {}));
+  reserve_files(killed, report_files({"results"}, {}));
   base::write_file(killed / "tables" / "results.csv", "");
-  CHECK_NOTHROW(claim(killed, report_files({"results"}, {})));
+  CHECK_NOTHROW(reserve_files(killed, report_files({"results"}, {})));
 }
 
 TEST_CASE("of several studies each is a column, solvers in the order of the first", "[show]") {
@@ -255,24 +256,24 @@ TEST_CASE("of several studies each is a column, solvers in the order of the firs
   CHECK(table.rows.size() == 3);
   CHECK(std::get<std::string>(table.rows[0][0]) == "A");
   CHECK(std::get<ValueCell>(table.rows[1][1]).mark == "*");
-  CHECK(std::get<MissingCell>(table.rows[2][1]).why == "not in the study");
+  CHECK(std::get<MissingCell>(table.rows[2][1]).reason == "not in the study");
   CHECK_FALSE(std::get<ValueCell>(table.rows[1][1]).interval);  // nor does a note speak of one
   CHECK(to_text({.columns = {{"solver"}}, .rows = {{std::string(50, 'x')}}}).size() < 50);  // nor is a name long
 }
 
 TEST_CASE("a table says no more below it than it has", "[show]") {
-  const auto of = [](judge::MetricSamples observed) { return answer_of({judged(std::move(observed))}); };
-  const Answer of_shares = of(shares({{"A", solved(20)}, {"B", solved(9)}}));
+  const auto of = [](judge::MetricSamples samples) { return answer_of({judged(std::move(samples))}); };
+  const ReportModel of_shares = of(shares({{"A", solved(20)}, {"B", solved(9)}}));
   CHECK(results_table(of_shares).notes.front() == "* worse than A (p < 0.05). Intervals: 95 %.");  // no medians
   CHECK(results_table(of(shares({{"A", solved(20)}, {"B", solved(20)}}))).notes.size() == 1);
-  const Answer of_errors = of(numbers("error", "error", "mm", {{"A", solved(20)}, {"B", solved(20)}}));
+  const ReportModel of_errors = of(numbers("error", "error", "mm", {{"A", solved(20)}, {"B", solved(20)}}));
   CHECK(results_table(of_errors).columns.size() == 2);  // the solver and its median
   CHECK(results_table(of_errors).notes == std::vector<std::string>{"Medians (quartiles)."});
-  const Answer of_few = of(numbers("error", "error", "mm", {{"A", {1, 2, 3}}, {"B", {4, 5, 6}}}));
+  const ReportModel of_few = of(numbers("error", "error", "mm", {{"A", {1, 2, 3}}, {"B", {4, 5, 6}}}));
   CHECK(pairs_table(of_few).notes.empty());
   CHECK(descriptives_table(of_errors).notes[0].find("Wilson") == std::string::npos);
   CHECK(descriptives_table(of_shares).notes[0].find("Wilson") != std::string::npos);
-  Answer of_none = of(numbers("value", "value", "", {{"A", {}}, {"B", {}}}));
+  ReportModel of_none = of(numbers("value", "value", "", {{"A", {}}, {"B", {}}}));
   of_none.direction = "smaller is better";
   CHECK(results_table(of_none).notes == std::vector<std::string>{"-: without a value (value)."});
 }
@@ -292,7 +293,7 @@ TEST_CASE("a pair has one effect size, named by its standardiser", "[show]") {
 TEST_CASE("marks say who is worse or better than the reference, and stand at what the test was of", "[show]") {
   const auto a = values_around(1, 0.5), b = values_around(3, 0.5), c = values_around(3.03, 0.6);
   const auto text = [](judge::MetricSamples costs, results::AnalysisPlan plan = {}, int last = 6) {
-    costs.is_of_solved = costs.is_paired = true;
+    costs.is_conditional_on_success = costs.is_paired = true;
     const auto shown_of = shares({{"A", solved(6)}, {"B", solved(20)}, {"C", solved(last)}});
     const Table table = results_table(answer_of({judged(shown_of, plan), judged(std::move(costs), plan)}));
     return to_text(table);
@@ -322,15 +323,15 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
   INFO(by_means);
   CHECK(contains(by_means, "B        100 % (84-100) +   +2.08 deg *"));
   CHECK(contains(by_means, "Motion: differences from A's"));
-  costs.groups[2].sample = judge::ExcludedSample{.why = judge::ExcludedSample::NotTestedReason::apart,
-                                                 .values = std::get<judge::Measured>(costs.groups[2].sample).values};
-  costs.groups[0].sample = judge::Measured{};
+  costs.groups[2].sample = judge::ExcludedSample{.reason = judge::ExcludedSample::NotTestedReason::not_comparable,
+                                                 .values = std::get<judge::Sample>(costs.groups[2].sample).values};
+  costs.groups[0].sample = judge::Sample{};
   CHECK(text(costs).find("A        30 % (15-52) *   -") != std::string::npos);  // it solved nothing that B did
   CHECK(contains(text(costs), "Motion: medians of the values that each solved"));
   // C is worse than B, and not shown to be worse than the first.
   std::vector<double> wide(20, 1);
   std::fill_n(wide.begin(), 9, 50);
-  const Answer second =
+  const ReportModel second =
       answer_of({judged(numbers("error", "error", "mm", {{"A", wide}, {"B", b}, {"C", values_around(6, 0.5)}}))});
   CHECK(
       contains(to_text(results_table(second)), "C        6 mm (4.7-7.7) *\nMedians (quartiles). * worse than another"));
@@ -340,7 +341,8 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
 TEST_CASE("where only the reference was timed on a busy machine, it alone has the mark", "[show]") {
   const auto a = values_around(1, 0.5), b = values_around(3, 0.5);
   judge::MetricSamples times = numbers("time", "time", "ms", {{"A", a}, {"B", b}, {"C", b}});
-  times.groups[0].sample = judge::ExcludedSample{.why = judge::ExcludedSample::NotTestedReason::apart, .values = a};
+  times.groups[0].sample =
+      judge::ExcludedSample{.reason = judge::ExcludedSample::NotTestedReason::not_comparable, .values = a};
   const Table table = results_table(
       answer_of({judged(shares({{"A", solved(20)}, {"B", solved(9)}, {"C", solved(8)}})), judged(std::move(times))}));
   std::string marks;
@@ -354,7 +356,7 @@ TEST_CASE("a leader that no test reached is marked", "[show]") {
     for (int i = 0; i < n; ++i) values.push_back(first + 0.1 * i);
     return values;
   };
-  const Answer of =
+  const ReportModel of =
       answer_of({judged(numbers("error", "error", "mm", {{"A", by(1, 2)}, {"B", by(2, 7)}, {"C", by(3, 7)}}))});
   const Table table = results_table(of);
   const auto cell = [&](std::size_t row) { return std::get<ValueCell>(table.rows[row][1]); };
@@ -380,29 +382,29 @@ TEST_CASE("unpaired and paired values have tests of all solvers", "[show]") {
   CHECK_FALSE(has("eta squared"));
   CHECK(has("partial eta squared"));
   CHECK(std::get<std::string>(omnibus_table(answer_of({judged(of)})).rows[0][1]) == "ANOVA of repeated measures");
-  of.groups[1].sample = judge::Measured{.values = {2}, .repeats_itself = true};
+  of.groups[1].sample = judge::Sample{.values = {2}, .is_deterministic = true};
   CHECK(omnibus_table(answer_of({judged(of)})).rows.empty());
 }
 
 TEST_CASE("a report without a picture has no folder of pictures", "[show]") {
   const ScratchFolder folder;
-  publish(make_report(), folder.path, {.gnuplot = "none"});
-  publish(make_report(), folder.path / "drawn", {.only = {"none"}});
+  write_report(make_report(), folder.path, {.gnuplot = "none"});
+  write_report(make_report(), folder.path / "drawn", {.only = {"none"}});
   CHECK_FALSE(fs::exists(folder.path / "drawn" / "figures"));
   for (const char* file : {"report.html", "report.md"})
     CHECK_FALSE(contains(text_in(folder.path / "drawn" / file), "Pictures"));
   Report none = make_report();
   none.figures.clear();
-  for (const std::string& file : publish(none, folder.path, {}).files) CHECK_FALSE(file.starts_with("figures"));
+  for (const std::string& file : write_report(none, folder.path, {}).files) CHECK_FALSE(file.starts_with("figures"));
   CHECK_FALSE(fs::exists(folder.path / "figures" / "source" / "style.gp"));
-  publish(none, folder.path / "other", {});
+  write_report(none, folder.path / "other", {});
   CHECK_FALSE(fs::exists(folder.path / "other" / "figures"));
 }
 
 TEST_CASE("a paper has its own first screen and sections", "[show]") {
   Report paper = make_report();
-  paper.first = {Heading{"The paper's claim holds."},
-                 Table{.name = "table-3", .caption = "Table 3", .columns = {{"solver"}}}};
+  paper.lead = {Heading{"The paper's claim holds."},
+                Table{.name = "table-3", .caption = "Table 3", .columns = {{"solver"}}}};
   paper.claims = {Heading{"Claims"}, "It holds."};
   paper.has_own_numbers = true;
   const std::vector<Blocks> sections = report_sections(paper);
@@ -428,11 +430,11 @@ TEST_CASE("the moving arm has the first run of each solver, and no text that end
       solve.start_rad = {0, 0};
       solve.answer_rad = {0.5 * run, 2};
       solve.position_error_cm = 0.1;
-      study.drawn.push_back(solve);
+      study.plotted.push_back(solve);
       study.solves.push_back({.run = run, .label = solver == "B" ? 1 : 0, .exceeds_velocity = solver == "B"});
     }
   }
-  const auto scene = moving_arm(study, study.labels);
+  const auto scene = animation_json(study, study.labels);
   REQUIRE(scene);
   CHECK(scene->find('<') == std::string::npos);
   const auto json = base::parsed_json(*scene);
@@ -446,14 +448,14 @@ TEST_CASE("the moving arm has the first run of each solver, and no text that end
 
   study.labels = {"A"};  // 1000 targets: some evenly, and the ends
   study.definition.points = 1000;
-  const results::SolveRecord first = study.drawn.front();
-  study.drawn.clear(), study.solves.clear();
+  const results::SolveRecord first = study.plotted.front();
+  study.plotted.clear(), study.solves.clear();
   for (int point = 1; point <= 1000; ++point) {
-    study.drawn.push_back(first);
-    study.drawn.back().label = "A", study.drawn.back().point = point;
+    study.plotted.push_back(first);
+    study.plotted.back().label = "A", study.plotted.back().point = point;
     study.solves.push_back({.point = point});
   }
-  const auto of_long = base::parsed_json(*moving_arm(study, study.labels));
+  const auto of_long = base::parsed_json(*animation_json(study, study.labels));
   std::set<int> points;
   for (const auto& step : of_long["solvers"][0]["steps"]) points.insert(int(step["point"]));
   CHECK(points.size() > 150);
@@ -461,5 +463,5 @@ TEST_CASE("the moving arm has the first run of each solver, and no text that end
   for (const int point : {1, 1000}) CHECK(points.contains(point));
   CHECK(contains(of_long["which"], fmt::format("Shown are {} of 1000 targets", points.size())));
   study.definition.arm.clear();
-  CHECK_FALSE(moving_arm(study, study.labels));
+  CHECK_FALSE(animation_json(study, study.labels));
 }

@@ -16,7 +16,7 @@ Table with_label(const std::string& label) {
                       {"time"}},
           .rows = {{label, 0.12345678901234567, judge::Interval{1.0 / 3, 2}, 1e-7, std::int64_t{20},
                     ValueCell{4200.25, "*"}},
-                   {"plain", Printed{1.5e-7, "0.0000"}, {}, 0.0005, {}, ValueCell{0.1, "", true}}},
+                   {"plain", PublishedNumber{1.5e-7, "0.0000"}, {}, 0.0005, {}, ValueCell{0.1, "", true}}},
           .notes = {label}};
 }
 
@@ -50,8 +50,8 @@ TEST_CASE("a table of numbers has every digit, and any label as it is", "[show]"
 
 TEST_CASE("an end that an interval excludes says so in every format, and none is rounded onto what decides", "[show]") {
   Table table{.caption = "pairs",
-              .columns = {{.name = "interval", .role = ColumnRole::interval, .ends = {1, 1.05}},
-                          {.name = "p", .role = ColumnRole::p, .ends = {0.05}}},
+              .columns = {{.name = "interval", .role = ColumnRole::interval, .boundaries = {1, 1.05}},
+                          {.name = "p", .role = ColumnRole::p, .boundaries = {0.05}}},
               .rows = {{judge::Interval{0, 0.8, true}, 0.04998},
                        {judge::Interval{0.5, 1, false, true}, 0.05},
                        {judge::Interval{1.00002, 1.0499}, Cell()},
@@ -86,14 +86,15 @@ TEST_CASE("readers see three digits, units, marks and small p-values", "[show]")
 }
 
 TEST_CASE("what stands in place of a number has its own column in files of numbers", "[show]") {
-  const Table table{.name = "results",
-                    .caption = "Results",
-                    .columns = {{"solver"}, {"solved", "%"}, {"motion", "deg"}},
-                    .rows = {{"A", ValueCell{.value = 100, .interval = judge::Interval{96.3, 100}}, 339.0},
-                             {"B", ValueCell{.value = 0.5, .mark = "*", .interval = judge::Interval{0.1, 1.25}},
-                              ValueCell{.value = 1.634, .mark = "*", .to_reference = judge::EffectScale::ratio}},
-                             {"C", {}, ValueCell{.value = 1.0312, .to_reference = judge::EffectScale::ratio}},
-                             {"D", {}, ValueCell{.value = -20, .to_reference = judge::EffectScale::difference}}}};
+  const Table table{
+      .name = "results",
+      .caption = "Results",
+      .columns = {{"solver"}, {"solved", "%"}, {"motion", "deg"}},
+      .rows = {{"A", ValueCell{.value = 100, .interval = judge::Interval{96.3, 100}}, 339.0},
+               {"B", ValueCell{.value = 0.5, .mark = "*", .interval = judge::Interval{0.1, 1.25}},
+                ValueCell{.value = 1.634, .mark = "*", .relative_to_reference = judge::EffectScale::ratio}},
+               {"C", {}, ValueCell{.value = 1.0312, .relative_to_reference = judge::EffectScale::ratio}},
+               {"D", {}, ValueCell{.value = -20, .relative_to_reference = judge::EffectScale::difference}}}};
   CHECK(to_csv(table) ==
         "solver,solved [%],solved low [%],solved high [%],solved mark,"
         "motion [deg],motion times,motion difference [deg],motion mark\n"
@@ -117,12 +118,12 @@ TEST_CASE("what stands in place of a number has its own column in files of numbe
 }
 
 TEST_CASE("ours has the decimals of the printed, and is not rounded onto all", "[show]") {
-  const Table table{.columns = {{.name = "solved", .unit = "%", .ends = {0, 100}}},
-                    .rows = {{Printed{99.96, "99.99"}},
-                             {Printed{99.996, "99.99"}},
-                             {Printed{0.1234567, "0.12"}},
-                             {Printed{0, "0"}},
-                             {Printed{100, "100.00"}}}};
+  const Table table{.columns = {{.name = "solved", .unit = "%", .boundaries = {0, 100}}},
+                    .rows = {{PublishedNumber{99.96, "99.99"}},
+                             {PublishedNumber{99.996, "99.99"}},
+                             {PublishedNumber{0.1234567, "0.12"}},
+                             {PublishedNumber{0, "0"}},
+                             {PublishedNumber{100, "100.00"}}}};
   const std::string text = to_text(table);
   for (const char* ours : {"99.96 %", "< 100 %", "0.123 %", "\n0 %", "\n100 %"}) CHECK(contains(text, ours));
 }

@@ -8,27 +8,30 @@ namespace {
 
 Comparison tested(Verdict verdict, bool is_small = false) {
   const bool is_better = verdict == Verdict::better, is_worse = verdict == Verdict::worse;
-  TestResult of{
-      .verdict = verdict, .is_small = is_small, .p = is_better || is_worse ? 0.001 : 0.6, .test = "a test", .n = 20};
-  of.effect = is_better ? Dominance{0.8, 0.1} : is_worse ? Dominance{0.1, 0.8} : Dominance{0, 0};
-  if (verdict == Verdict::undecided || verdict == Verdict::same) of.effect = Dominance{0.5, 0.4};
-  return {.amount = EffectEstimate{is_better ? 0.5 : is_worse ? 2.0 : 1.0}, .what = of};
+  TestResult of{.verdict = verdict,
+                .is_below_margin = is_small,
+                .adjusted_p = is_better || is_worse ? 0.001 : 0.6,
+                .test = "a test",
+                .n = 20};
+  of.dominance = is_better ? Dominance{0.8, 0.1} : is_worse ? Dominance{0.1, 0.8} : Dominance{0, 0};
+  if (verdict == Verdict::inconclusive || verdict == Verdict::equivalent) of.dominance = Dominance{0.5, 0.4};
+  return {.estimate = EffectEstimate{is_better ? 0.5 : is_worse ? 2.0 : 1.0}, .result = of};
 }
 
 Comparison without_amount(Comparison of) {  // its estimate would refute it
-  of.amount.reset();
+  of.estimate.reset();
   return of;
 }
 
 Comparison all_equal() {
-  Comparison of = tested(Verdict::undecided);
-  auto& its = std::get<TestResult>(of.what);
-  its.p = 1, its.effect = Dominance{0, 0};
+  Comparison of = tested(Verdict::inconclusive);
+  auto& its = std::get<TestResult>(of.result);
+  its.adjusted_p = 1, its.dominance = Dominance{0, 0};
   return of;
 }
 
 Comparison fact(Verdict verdict, double amount) {
-  return {.amount = EffectEstimate{amount}, .what = DeterministicResult{verdict}};
+  return {.estimate = EffectEstimate{amount}, .result = DeterministicResult{verdict}};
 }
 
 const std::vector<Comparison>& all_kinds() {
@@ -37,81 +40,81 @@ const std::vector<Comparison>& all_kinds() {
       tested(Verdict::better, true),
       without_amount(tested(Verdict::better)),
       tested(Verdict::worse),
-      tested(Verdict::same),
-      tested(Verdict::undecided),
+      tested(Verdict::equivalent),
+      tested(Verdict::inconclusive),
       all_equal(),
       fact(Verdict::better, 0.5),
       fact(Verdict::worse, 2),
-      fact(Verdict::same, 1.01),
-      {.what = NotTested{.why = NotTested::NotTestedReason::too_few, .n = 3, .needed = 4}},
-      {.what = NotTested{.why = NotTested::NotTestedReason::lost}},
-      {.what = NotTested{.why = NotTested::NotTestedReason::apart}},
-      {.what = NotTested{.why = NotTested::NotTestedReason::few_decide, .n = 20}}};
+      fact(Verdict::equivalent, 1.01),
+      {.result = NotTested{.reason = NotTested::NotTestedReason::sample_too_small, .n = 3, .required_n = 4}},
+      {.result = NotTested{.reason = NotTested::NotTestedReason::missing_values}},
+      {.result = NotTested{.reason = NotTested::NotTestedReason::not_comparable}},
+      {.result = NotTested{.reason = NotTested::NotTestedReason::dominated, .n = 20}}};
   return kinds;
 }
 
 // Solvers A, B, ... with these numbers, and a kind of finding for each pair.
-Answer answer_with(const std::vector<double>& numbers, const std::vector<Comparison>& kinds,
-                   const std::string& control = "") {
-  JudgedMetric judged{.observations = {.metric = "error", .quantity = "error", .unit = "mm"}, .plan = {}};
+ReportModel answer_with(const std::vector<double>& numbers, const std::vector<Comparison>& kinds,
+                        const std::string& control = "") {
+  JudgedMetric judged{.samples = {.metric = "error", .quantity = "error", .unit = "mm"}, .plan = {}};
   judged.plan.control = control;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    judged.observations.groups.push_back(
-        {.name = std::string(1, static_cast<char>('A' + i)), .sample = Measured{std::vector<double>(20, numbers[i])}});
-    judged.described.push_back(describe(judged.observations.groups.back()));
+    judged.samples.groups.push_back(
+        {.name = std::string(1, static_cast<char>('A' + i)), .sample = Sample{std::vector<double>(20, numbers[i])}});
+    judged.descriptives.push_back(describe(judged.samples.groups.back()));
   }
   std::size_t pair = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     for (std::size_t j = i + 1; j < numbers.size(); ++j) {
       const std::string first(1, static_cast<char>('A' + i)), second(1, static_cast<char>('A' + j));
       if (!control.empty() && first != control && second != control) continue;
-      Comparison& finding = judged.findings.emplace_back(kinds[pair++]);
-      finding.first = first, finding.second = second, finding.scale = EffectScale::ratio;
+      Comparison& comparison = judged.comparisons.emplace_back(kinds[pair++]);
+      comparison.first = first, comparison.second = second, comparison.scale = EffectScale::ratio;
     }
   }
   return answer_of({std::move(judged)});
 }
 
 // A fact that no finding bears out, or who is left out; empty if all is well.
-std::string too_much(const Answer& answer) {
-  using What = Said::What;
+std::string too_much(const ReportModel& answer) {
+  using What = Statement::StatementKind;
   using Names = std::vector<std::string>;
-  const JudgedMetric& judged = answer.decisive();
+  const JudgedMetric& judged = answer.primary();
   const Names all = answer.solvers();
-  const std::set<std::string> losers = beaten_solvers(judged.findings);
+  const std::set<std::string> losers = beaten_solvers(judged.comparisons);
   const auto each = [&](const Names& some, const Names& others, auto is_so) {
     for (const std::string& one : some) {
       for (const std::string& other : others) {
-        const Comparison* const finding = find_comparison(judged, one, other);
+        const Comparison* const comparison = find_comparison(judged, one, other);
         if (one == other) continue;
-        const Verdict verdict = finding == nullptr      ? Verdict::not_tested
-                                : finding->first == one ? verdict_of(*finding)
-                                                        : turned(verdict_of(*finding));
-        if (!is_so(verdict, finding)) return false;
+        const Verdict verdict = comparison == nullptr      ? Verdict::not_tested
+                                : comparison->first == one ? verdict_of(*comparison)
+                                                           : reversed(verdict_of(*comparison));
+        if (!is_so(verdict, comparison)) return false;
       }
     }
     return true;
   };
   const auto are = [](Verdict expected) { return [=](Verdict its, const Comparison*) { return its == expected; }; };
-  const auto are_alike = [](Verdict its, const Comparison* finding) {
-    return its == Verdict::same || (finding && are_equal(*finding));
+  const auto are_alike = [](Verdict its, const Comparison* comparison) {
+    return its == Verdict::equivalent || (comparison && all_values_equal(*comparison));
   };
-  const auto are_little = [](Verdict, const Comparison* finding) {
-    return std::get<TestResult>(finding->what).is_small;
+  const auto are_little = [](Verdict, const Comparison* comparison) {
+    return std::get<TestResult>(comparison->result).is_below_margin;
   };
   std::multiset<std::string> told;
   for (const auto& [what, who, against, is_little] : statements_of(judged, all)) {
     const Names& others = against.empty() ? who : against;
     told.insert(who.begin(), who.end());
     if (what == What::best) told.insert(against.begin(), against.end());
-    const bool is_so = what == What::numbers     ? judged.findings.empty()
-                       : what == What::best      ? each(who, against, are(Verdict::better)) && each(who, who, are_alike)
-                       : what == What::same      ? each(who, others, are(Verdict::same))
-                       : what == What::undecided ? each(who, others, are(Verdict::undecided))
-                       : what == What::better    ? each(who, against, are(Verdict::better))
-                       : what == What::worse     ? each(who, against, are(Verdict::worse))
+    const bool is_so = what == What::no_comparison ? judged.comparisons.empty()
+                       : what == What::best ? each(who, against, are(Verdict::better)) && each(who, who, are_alike)
+                       : what == What::equivalent   ? each(who, others, are(Verdict::equivalent))
+                       : what == What::inconclusive ? each(who, others, are(Verdict::inconclusive))
+                       : what == What::better       ? each(who, against, are(Verdict::better))
+                       : what == What::worse        ? each(who, against, are(Verdict::worse))
                        : what == What::not_tested ? each(who, against.empty() ? all : against, are(Verdict::not_tested))
-                       : what == What::circle
+                       : what == What::cyclic
                            ? std::ranges::all_of(who, [&](auto& name) { return losers.contains(name); })
                            : std::ranges::none_of(who, [&](auto& name) { return losers.contains(name); });
     if (!is_so || (is_little && !each(who, against, are_little)))
@@ -122,26 +125,26 @@ std::string too_much(const Answer& answer) {
 }
 
 // What a paragraph of results lacks: the pairs, or their counts.
-std::string wrong_in_results(const Answer& answer) {
-  const JudgedMetric& judged = answer.decisive();
-  const std::vector<std::string> sentences = results_of(answer);
+std::string wrong_in_results(const ReportModel& answer) {
+  const JudgedMetric& judged = answer.primary();
+  const std::vector<std::string> sentences = results_sentences(answer);
   if (sentences.front() != headline(answer)) return "no headline";
   std::map<std::string, int> counts;
-  for (const Comparison& its : judged.findings)
-    ++counts[judged.findings.size() <= max_pairs
+  for (const Comparison& its : judged.comparisons)
+    ++counts[judged.comparisons.size() <= max_pairs
                  ? fmt::format("{} against {}: {}", its.first, its.second, comparison_text(its, judged))
              : is_difference(verdict_of(its)) ? "decided"
                                               : std::string(judge::name_of(verdict_of(its)))];
   for (const auto& [what, count] : counts)
-    if (!contains(sentences[1], judged.findings.size() <= max_pairs ? what : fmt::format("{} {}", count, what)))
+    if (!contains(sentences[1], judged.comparisons.size() <= max_pairs ? what : fmt::format("{} {}", count, what)))
       return what;
   return "";
 }
 
 // The same of the table of results and that of pairs.
-std::string wrong_in_tables(const Answer& answer) {
-  const JudgedMetric& judged = answer.decisive();
-  const std::set<std::string> losers = beaten_solvers(judged.findings);
+std::string wrong_in_tables(const ReportModel& answer) {
+  const JudgedMetric& judged = answer.primary();
+  const std::set<std::string> losers = beaten_solvers(judged.comparisons);
   for (const auto& row : results_table(answer).rows) {
     const auto* const cell = std::get_if<ValueCell>(&row[1]);
     if (cell == nullptr) return "a number that is known is not shown";
@@ -153,12 +156,12 @@ std::string wrong_in_tables(const Answer& answer) {
     return std::get<VerdictCell>(row[7]).tone != Tone::neutral;
   };
   const auto decided = std::ranges::count_if(
-      judged.findings, [](const Comparison& finding) { return is_difference(verdict_of(finding)); });
+      judged.comparisons, [](const Comparison& comparison) { return is_difference(verdict_of(comparison)); });
   if (count(pairs_table(answer), is_decided) != decided) return "a decided pair is not told";
   const nlohmann::ordered_json json = to_json(answer);
-  for (const auto& finding : json["findings"]) {
-    if (finding.size() != json["findings"][0].size()) return "members of JSON";
-    if (finding["p"].is_null() != !finding["reason"].is_null()) return "p or a reason";
+  for (const auto& comparison : json["findings"]) {
+    if (comparison.size() != json["findings"][0].size()) return "members of JSON";
+    if (comparison["p"].is_null() != !comparison["reason"].is_null()) return "p or a reason";
   }
   return "";
 }
@@ -166,14 +169,14 @@ std::string wrong_in_tables(const Answer& answer) {
 int checked = 0;
 
 void check(const std::vector<double>& numbers, const std::vector<Comparison>& kinds, const std::string& control = "") {
-  const Answer answer = answer_with(numbers, kinds, control);
+  const ReportModel answer = answer_with(numbers, kinds, control);
   const std::string said = too_much(answer), shown = wrong_in_tables(answer), told = wrong_in_results(answer);
   ++checked;
   if (said.empty() && shown.empty() && told.empty()) return;
   std::string pairs;
-  for (const Comparison& finding : answer.decisive().findings)
-    pairs += fmt::format("{}{} {}; ", finding.first, finding.second, name_of(verdict_of(finding)));
-  CAPTURE(said, shown, told, results_of(answer), headline(answer), pairs, to_text(results_table(answer)));
+  for (const Comparison& comparison : answer.primary().comparisons)
+    pairs += fmt::format("{}{} {}; ", comparison.first, comparison.second, name_of(verdict_of(comparison)));
+  CAPTURE(said, shown, told, results_sentences(answer), headline(answer), pairs, to_text(results_table(answer)));
   FAIL();
 }
 

@@ -22,7 +22,7 @@ std::vector<std::string> archive_settings() {
   return all;
 }
 
-StudyResults archived(const std::string& robot) {
+StudyResults read_archive(const std::string& robot) {
   constexpr std::string_view arms[]{"franka_panda", "kuka_iiwa14", "ur5e"};
   if (std::ranges::find(arms, robot) == std::end(arms))
     throw std::invalid_argument(fmt::format(
@@ -40,7 +40,7 @@ StudyResults archived(const std::string& robot) {
     if (const std::string label(cell("library")); !label.empty()) {
       study.labels.push_back(label);
       study.series.push_back({label, label, std::string(cell("version")), "{}"});
-      study.beside.of = fmt::format("on another machine, {}", cell("month"));
+      study.imported.origin = fmt::format("on another machine, {}", cell("month"));
     }
     const auto status = std::ranges::find(statuses, cell("status"));  // none: ok
     study.solves.push_back(
@@ -53,12 +53,12 @@ StudyResults archived(const std::string& robot) {
          .variation_deg = number("motion_deg"),
          .largest_move_deg = unknown,
          .seconds = number("time_us") * 1e-6,
-         .bend_deg = unknown});
+         .second_difference_deg = unknown});
   }
   return study;
 }
 
-void refuse_another_study(const StudyResults& theirs, const StoredStudy& study) {
+void require_same_study(const StudyResults& theirs, const StoredStudy& study) {
   const std::string difference = difference_in_solves(theirs.definition.json, study.definition.json);
   if (!difference.empty())
     throw std::invalid_argument(
@@ -67,32 +67,32 @@ void refuse_another_study(const StudyResults& theirs, const StoredStudy& study) 
 
 void add_imported(StudyResults& study, const StudyResults& theirs) {
   std::string& control = study.definition.plan.control;
-  study.beside.is_control_chosen = control.empty();
+  study.imported.is_control_chosen = control.empty();
   if (control.empty()) control = study.labels.front();
-  study.beside.of = theirs.beside.of;
+  study.imported.origin = theirs.imported.origin;
   for (results::Series series : theirs.series) {
     const Solves all = theirs.of(series.label);
     const auto same = std::ranges::find_if(study.series, [&](const results::Series& its) {
       return its.algorithm == time_reference_solver && series.algorithm == time_reference_solver &&
-             its.options == series.options && !study.beside.has(its.label);
+             its.options == series.options && !study.imported.has(its.label);
     });
-    if (study.beside.unit_here.empty() && same != study.series.end()) {
-      study.beside.unit = described(solve_times(theirs, series.label)).median;
-      study.beside.unit_here = same->label;
+    if (study.imported.local_reference.empty() && same != study.series.end()) {
+      study.imported.reference_seconds = describe_values(solve_times(theirs, series.label)).median;
+      study.imported.local_reference = same->label;
       continue;
     }
     while (std::ranges::count(study.labels, series.label) > 0) series.label += " (there)";
     study.labels.push_back(series.label);
-    study.beside.labels.push_back(series.label);
+    study.imported.labels.push_back(series.label);
     study.series.push_back(std::move(series));
-    for (Solve solve : all) {
+    for (SolveSummary solve : all) {
       if (solve.run > study.definition.runs) continue;
       solve.label = static_cast<int>(std::ssize(study.labels) - 1);
-      solve.timing = Timing::process, solve.is_told = true, solve.was_preempted = false;  // which matters there
+      solve.timing = Timing::process, solve.is_self_timed = true, solve.was_preempted = false;  // which matters there
       study.solves.push_back(solve);
     }
   }
-  if (study.beside.labels.empty()) throw std::invalid_argument("--beside: there is no other solver than here");
+  if (study.imported.labels.empty()) throw std::invalid_argument("--beside: there is no other solver than here");
   if (!theirs.solves.empty() && theirs.solves.front().target != 0) require_same_targets(study);
 }
 

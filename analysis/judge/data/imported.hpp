@@ -15,10 +15,10 @@ constexpr std::string_view archive_name = "libraries";
 std::vector<std::string> archive_settings();  // of its study but for the arm, as --set has them
 // What is archived of an arm; the definition of its study is left to who reads studies. Throws std::invalid_argument
 // for an arm of which nothing is.
-StudyResults archived(const std::string& robot);
+StudyResults read_archive(const std::string& robot);
 
 // Throws std::invalid_argument, which says what differs, if `theirs` are of other targets, tolerances or limits.
-void refuse_another_study(const StudyResults& theirs, const results::StoredStudy& study);
+void require_same_study(const StudyResults& theirs, const results::StoredStudy& study);
 // Adds their solvers to the same study, but LM, which is the unit of their times. Without a control the study's first
 // solver becomes it.
 void add_imported(StudyResults& study, const StudyResults& theirs);

@@ -24,13 +24,13 @@ enum class EffectScale { ratio, difference, share };
 enum class QuantityKind { other, solved, answered, position, angle, motion, time, evaluations };
 
 // What is known of a group: one of these.
-struct Measured {
+struct Sample {
   std::vector<double> values = {};  // infinite: no answer, worse than any
   std::vector<int> blocks = {};     // where paired: of each value, rising; none: those of all groups are the same
-  bool repeats_itself = false;      // the one value stands for all runs
-  bool may_be_copies = false;       // all values are one, and nobody knows whether the solver repeats itself
-  double worth = 0;                 // of logarithms of costs: how many equal ones would tell as much
-  double solved = 0;                // of the same: the targets solved
+  bool is_deterministic = false;    // the one value stands for all runs
+  bool is_constant = false;         // all values are one, and nobody knows whether the solver repeats itself
+  double effective_n = 0;           // of logarithms of costs: how many equal ones would tell as much
+  double solved_targets = 0;        // of the same: the targets solved
 };
 struct SummaryStatistics {  // as papers print it
   int n = 0;
@@ -39,43 +39,43 @@ struct SummaryStatistics {  // as papers print it
 };
 struct ExcludedSample {         // not compared; what there is can be described
   enum class NotTestedReason {  // of several, the first
-    lost,                       // observations have no value
-    infinite,                   // means cannot count those without an answer
-    apart,                      // timed or counted otherwise, or ended by the clock
-    no_spread,                  // a printed deviation of 0, which would decide everything
-    none,                       // nothing was solved, so nothing has a cost
+    missing_values,             // observations have no value
+    infinite_values,            // means cannot count those without an answer
+    not_comparable,             // timed or counted otherwise, or ended by the clock
+    zero_spread,                // a printed deviation of 0, which would decide everything
+    nothing_solved,             // nothing was solved, so nothing has a cost
     no_answer,                  // all values of both groups are infinite
     copies,                     // both groups have one number each, and nothing tells measurements from copies
     // Of two groups that are both told:
-    too_few,    // no data of this size could decide
-    few_decide  // one value is so much of a group's sum that its mean shows nothing better
+    sample_too_small,  // no data of this size could decide
+    dominated          // one value is so much of a group's sum that its mean shows nothing better
   };
-  NotTestedReason why = NotTestedReason::lost;
-  int lost = 0;  // observations without a value
+  NotTestedReason reason = NotTestedReason::missing_values;
+  int missing = 0;  // observations without a value
   std::vector<double> values = {};
   std::optional<SummaryStatistics> printed = {};
 };
-using GroupData = std::variant<Measured, SummaryStatistics, ExcludedSample>;
+using GroupData = std::variant<Sample, SummaryStatistics, ExcludedSample>;
 
 struct Group {
   std::string name = {};
   GroupData sample = {};
-  double at_most = 0;  // values at or below count as this, the tolerance; 0: none
-  int all = 0;         // of shares by session: of all observations, whose share is
-  double share = 0;    // this; 0: what is described are the values
+  double tolerance = 0;     // values at or below count as this, the tolerance; 0: none
+  int pooled_n = 0;         // of shares by session: of all observations, whose share is
+  double pooled_share = 0;  // this; 0: what is described are the values
 };
 
 // Null if it is compared.
-inline const ExcludedSample* untold(const Group& group) { return std::get_if<ExcludedSample>(&group.sample); }
-inline const Measured* measured(const Group& group) { return std::get_if<Measured>(&group.sample); }
-inline bool repeats_itself(const Group& group) { return measured(group) && measured(group)->repeats_itself; }
-inline bool may_be_copies(const Group& group) { return measured(group) && measured(group)->may_be_copies; }
+inline const ExcludedSample* excluded(const Group& group) { return std::get_if<ExcludedSample>(&group.sample); }
+inline const Sample* sample_of(const Group& group) { return std::get_if<Sample>(&group.sample); }
+inline bool repeats_itself(const Group& group) { return sample_of(group) && sample_of(group)->is_deterministic; }
+inline bool is_constant(const Group& group) { return sample_of(group) && sample_of(group)->is_constant; }
 // Observations without a value.
-inline int missing_in(const Group& group) { return untold(group) ? untold(group)->lost : 0; }
+inline int missing_in(const Group& group) { return excluded(group) ? excluded(group)->missing : 0; }
 // All that a group has: of one that repeats itself one, of a summary none.
 inline std::span<const double> values_of(const Group& group) {
-  if (const Measured* const its = measured(group)) return its->values;
-  if (const ExcludedSample* const its = untold(group)) return its->values;
+  if (const Sample* const its = sample_of(group)) return its->values;
+  if (const ExcludedSample* const its = excluded(group)) return its->values;
   return {};
 }
 
@@ -83,26 +83,27 @@ struct MetricSamples {
   std::string metric;    // of files and anchors: "error"
   std::string quantity;  // "position error"
   std::string unit = {};
-  QuantityKind measures = QuantityKind::other;
+  QuantityKind quantity_kind = QuantityKind::other;
   Better better = Better::smaller;
   EffectScale scale = EffectScale::ratio;
   double absolute_margin = 0;    // of the plan, in this unit
   double floor = 0;              // of ratios: a smaller value counts as this
-  double rounding = 0;           // values that differ by no more are equal
+  double resolution = 0;         // values that differ by no more are equal
   bool is_paired = false;        // values of one block belong together; without blocks, values[i]
   bool may_hold_copies = false;  // rows of a file, of which nothing says that each is a measurement of its own
-  bool is_of_solved = false;     // so each group has its own targets: numbers of two are comparable in findings alone
-  bool is_ert = false;           // what all attempts took, by the number of targets solved
-  bool is_log_scale = false;     // values are logarithms, and their mean is compared: that of the ratio
-  int trials = 1;                // of shares: attempts in an observation; one makes it 0 or 1
-  int fewest = 0;                // common blocks that a pair needs
+  bool is_conditional_on_success =
+      false;                       // so each group has its own targets: numbers of two are comparable in findings alone
+  bool is_ert = false;             // what all attempts took, by the number of targets solved
+  bool is_log_scale = false;       // values are logarithms, and their mean is compared: that of the ratio
+  int trials_per_observation = 1;  // of shares: attempts in an observation; one makes it 0 or 1
+  int min_blocks = 0;              // common blocks that a pair needs
   std::vector<Group> groups = {};
-  std::vector<Doubt> doubts = {};
+  std::vector<Warning> warnings = {};
 };
 
 // The place of a group; their number if there is none of this name.
-inline std::size_t place_of(const MetricSamples& observed, std::string_view name) {
-  return static_cast<std::size_t>(std::ranges::find(observed.groups, name, &Group::name) - observed.groups.begin());
+inline std::size_t index_of(const MetricSamples& samples, std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(samples.groups, name, &Group::name) - samples.groups.begin());
 }
 
 }  // namespace ikbench::judge

@@ -24,51 +24,51 @@ constexpr double rounding_deg = 1e-9 / base::degree;
 constexpr double least_motion_deg = 1e-3;  // less is how a solver rounds, and moves no arm
 
 // A program or library that tells none has 0.
-bool counts_iterations(const Solve& solve) {
+bool counts_iterations(const SolveSummary& solve) {
   return solve.iterations > 0 || solve.counted_by != results::CountedBy::nobody;
 }
 
-double of_answer(const Solve& solve, double value) {
-  return results::is_without_answer(solve.status) ? unknown : value;
+double of_answer(const SolveSummary& solve, double value) {
+  return results::has_no_answer(solve.status) ? unknown : value;
 }
 
 // Unknown without a deadline.
-double is_in_time(const Solve& solve, const StudyResults& study) {
+double is_in_time(const SolveSummary& solve, const StudyResults& study) {
   const double deadline = study.definition.deadline();
-  const bool is_solved = study.definition.has_tolerance() ? solve.status == Status::ok : gave_answer(solve);
+  const bool is_solved = study.definition.has_tolerance() ? solve.status == Status::ok : has_answer(solve);
   return deadline == 0 ? unknown : double(is_solved && solve.seconds <= deadline);
 }
 
 constexpr std::array rows{
-#define METRIC(column, slug, name, unit, kind, measures, floor, rounding, told, ...) \
-  Metric{column,                                                                     \
-         slug,                                                                       \
-         name,                                                                       \
-         unit,                                                                       \
-         Kind::kind,                                                                 \
-         QuantityKind::measures,                                                     \
-         floor,                                                                      \
-         rounding,                                                                   \
-         WhenReported::told,                                                         \
-         [](const Solve& solve, [[maybe_unused]] const StudyResults& study) -> double { return __VA_ARGS__; }},
+#define METRIC(column, slug, name, unit, kind, quantity_kind, floor, resolution, when_reported, ...) \
+  Metric{column,                                                                                     \
+         slug,                                                                                       \
+         name,                                                                                       \
+         unit,                                                                                       \
+         MetricKind::kind,                                                                           \
+         QuantityKind::quantity_kind,                                                                \
+         floor,                                                                                      \
+         resolution,                                                                                 \
+         WhenReported::when_reported,                                                                \
+         [](const SolveSummary& solve, [[maybe_unused]] const StudyResults& study) -> double { return __VA_ARGS__; }},
 #include "analysis/judge/data/metrics.inc"
 #undef METRIC
 };
 
 // An observation is a run, else a target.
 bool are_runs(const StudyResults& study, const Metric& metric) {
-  return metric.kind == Kind::run || study.definition.compares_runs();
+  return metric.kind == MetricKind::per_run || study.definition.compares_runs();
 }
 
 // Below it errors are equal; 0 where the study has none.
 double tolerance_of(const StudyResults& study, const Metric& metric) {
   const numerics::StopRule& stop = study.definition.stop;
-  if (metric.kind != Kind::error) return 0;
-  return metric.measures == QuantityKind::angle ? stop.tolerance_deg() : stop.tolerance_cm();
+  if (metric.kind != MetricKind::error) return 0;
+  return metric.quantity_kind == QuantityKind::angle ? stop.tolerance_deg() : stop.tolerance_cm();
 }
 
 bool is_of_answers(const StudyResults& study, const Metric& metric) {
-  return metric.kind == Kind::cost && study.definition.has_tolerance();
+  return metric.kind == MetricKind::cost && study.definition.has_tolerance();
 }
 
 // What failed has no cost of an answer; along a path it has, for the next solve starts from there.
@@ -87,20 +87,20 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, st
   const bool of_runs = are_runs(study, metric), of_solved = is_of_solved(study, metric);
   const double least = tolerance_of(study, metric);
   // Where the arm stayed is no error of a solver that never moved it.
-  const bool is_unknown = metric.kind == Kind::error && std::ranges::none_of(study.of(solver), gave_answer);
+  const bool is_unknown = metric.kind == MetricKind::error && std::ranges::none_of(study.of(solver), has_answer);
   std::vector<Value> values;
   for (const Solves run : of_runs ? complete_runs_of(study, solver) : runs_of(study.of(solver))) {
-    if (metric.kind == Kind::run) {
+    if (metric.kind == MetricKind::per_run) {
       values.push_back({run.front().run, metric.value(run.back(), study)});
       continue;
     }
-    for (const Solve& solve : run) {
+    for (const SolveSummary& solve : run) {
       if (of_solved && solve.status != Status::ok) continue;
       const int block = of_runs                    ? solve.run
                         : definition.draws_targets ? (solve.run - 1) * definition.points + solve.point
                                                    : solve.point;
       const double value = is_unknown ? unknown : metric.value(solve, study);
-      values.push_back({block, metric.kind == Kind::error && value < least ? least : value});
+      values.push_back({block, metric.kind == MetricKind::error && value < least ? least : value});
     }
   }
   if (!std::ranges::is_sorted(values, {}, &Value::block)) std::ranges::stable_sort(values, {}, &Value::block);
@@ -115,7 +115,7 @@ std::vector<Value> means_of(const std::vector<Value>& all, bool are_medians = fa
     const int block = all[i].block;
     for (values.clear(); i < all.size() && all[i].block == block; ++i) values.push_back(all[i].value);
     const bool is_known = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
-    const double value = !is_known ? unknown : are_medians ? described(values).median : summarise(values).mean;
+    const double value = !is_known ? unknown : are_medians ? describe_values(values).median : summarise(values).mean;
     means.push_back({block, std::isfinite(value) ? value : unknown});
   }
   return means;
@@ -124,11 +124,11 @@ std::vector<Value> means_of(const std::vector<Value>& all, bool are_medians = fa
 // What attempts spent by what they solved: of each observation a logarithm, so that their mean is that of the ratio of
 // the two sums, and their spread its error (the infinitesimal jackknife; Efron, The Jackknife, 1982, chapter 6). Tells
 // what they are worth (Kish, Survey Sampling, 1965), and the number solved.
-std::vector<Value> spent_by_solved(std::vector<Value> spent, const std::vector<Value>& solved, Measured& measured) {
+std::vector<Value> spent_by_solved(std::vector<Value> spent, const std::vector<Value>& solved, Sample& measured) {
   double all_spent = 0, squares = 0, all_solved = 0;
   for (const Value& each : spent) all_spent += each.value, squares += each.value * each.value;
   for (const Value& each : solved) all_solved += each.value;
-  measured.worth = all_spent * all_spent / squares, measured.solved = all_solved;
+  measured.effective_n = all_spent * all_spent / squares, measured.solved_targets = all_solved;
   const auto n = static_cast<double>(spent.size());
   for (std::size_t i = 0; i < spent.size(); ++i)
     spent[i].value = std::log(all_spent / all_solved) + n * (spent[i].value / all_spent - solved[i].value / all_solved);
@@ -139,16 +139,16 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   Group group{.name = solver};
   const double least = tolerance_of(study, metric);
   const std::vector<Value> all = values_of(study, metric, solver);
-  if (std::ranges::any_of(all, [=](const Value& each) { return each.value <= least; })) group.at_most = least;
+  if (std::ranges::any_of(all, [=](const Value& each) { return each.value <= least; })) group.tolerance = least;
   std::vector<Value> values = means_of(all, uses_medians(metric));
-  Measured measured;
-  if (metric.kind == Kind::spent || is_of_answers(study, metric)) {
+  Sample measured;
+  if (metric.kind == MetricKind::ert || is_of_answers(study, metric)) {
     const std::vector<Value> solved = means_of(values_of(study, metric_named("solved"), solver));
     if (!solved.empty() && std::ranges::all_of(solved, [](const Value& each) { return each.value == 0; })) {
-      group.sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::none};
+      group.sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::nothing_solved};
       return group;
     }
-    if (metric.kind == Kind::spent) values = spent_by_solved(std::move(values), solved, measured);
+    if (metric.kind == MetricKind::ert) values = spent_by_solved(std::move(values), solved, measured);
   }
   const auto lost =
       static_cast<int>(std::erase_if(values, [](const Value& each) { return !std::isfinite(each.value); }));
@@ -159,10 +159,11 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   const bool are_equal = measured.values.size() > 1 &&
                          std::ranges::count(measured.values, measured.values.front()) == std::ssize(measured.values);
   if (lost > 0)
-    group.sample = ExcludedSample{
-        .why = ExcludedSample::NotTestedReason::lost, .lost = lost, .values = std::move(measured.values)};
+    group.sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::missing_values,
+                                  .missing = lost,
+                                  .values = std::move(measured.values)};
   else if (!is_paired && are_equal && repeats_itself(study, solver))
-    group.sample = Measured{.values = {measured.values.front()}, .repeats_itself = true};
+    group.sample = Sample{.values = {measured.values.front()}, .is_deterministic = true};
   else
     group.sample = std::move(measured);
   return group;
@@ -177,11 +178,11 @@ Group group_of_times(const StudyResults& study, const Metric& metric, const std:
     std::vector<double> values = {};
     double sum = 0, solved = 0;
   };
-  const bool is_share = metric.kind == Kind::share, is_ert = metric.kind == Kind::spent;
+  const bool is_share = metric.kind == MetricKind::success_rate, is_ert = metric.kind == MetricKind::ert;
   Group group{.name = solver};
   std::map<int, Session> all;
   bool is_any_solved = false;
-  for (const Solve& solve : study.of(solver)) {
+  for (const SolveSummary& solve : study.of(solver)) {
     Session& its = all[solve.session];
     const bool is_solved = solve.status == Status::ok;
     its.values.push_back(is_of_solved(study, metric) && !is_solved ? unknown : metric.value(solve, study));
@@ -193,58 +194,59 @@ Group group_of_times(const StudyResults& study, const Metric& metric, const std:
   const auto is_apart = [&](const auto& each) { return !compared.contains(each.first); };
   const bool are_apart = std::ranges::all_of(all, is_apart);
   if (!are_apart) std::erase_if(all, is_apart);
-  Measured measured;
+  Sample measured;
   std::vector<Value> spent, solved;
   for (const auto& [session, its] : all) {
     const auto n = static_cast<double>(its.values.size());
-    measured.values.push_back(is_share ? its.sum / n : std::log(std::max(described(its.values).median, 1e-9)));
+    measured.values.push_back(is_share ? its.sum / n : std::log(std::max(describe_values(its.values).median, 1e-9)));
     measured.blocks.push_back(session);
     spent.push_back({session, its.sum}), solved.push_back({session, its.solved});
-    if (is_share) group.all += static_cast<int>(n), group.share += its.sum;
+    if (is_share) group.pooled_n += static_cast<int>(n), group.pooled_share += its.sum;
   }
-  group.share /= std::max(1, group.all);
+  group.pooled_share /= std::max(1, group.pooled_n);
   const bool is_solved_here = std::ranges::any_of(solved, [](const Value& each) { return each.value > 0; });
-  measured.worth = static_cast<double>(all.size());           // each is of a session, so none decides
-  measured.solved = std::numeric_limits<double>::infinity();  // or what spent_by_solved says
+  measured.effective_n = static_cast<double>(all.size());             // each is of a session, so none decides
+  measured.solved_targets = std::numeric_limits<double>::infinity();  // or what spent_by_solved says
   if (is_ert) measured.values.clear();
   if (is_ert && is_solved_here)
     for (const Value& each : spent_by_solved(std::move(spent), solved, measured)) measured.values.push_back(each.value);
   if (!are_apart && (!is_ert || is_solved_here))
     group.sample = std::move(measured);
   else if (!is_any_solved && !is_share && (is_ert || study.definition.has_tolerance()))
-    group.sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::none};
+    group.sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::nothing_solved};
   else
-    group.sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::apart, .values = std::move(measured.values)};
+    group.sample =
+        ExcludedSample{.reason = ExcludedSample::NotTestedReason::not_comparable, .values = std::move(measured.values)};
   return group;
 }
 
 MetricSamples observe_times(const StudyResults& study, const Metric& metric) {
-  MetricSamples observed = empty_samples(metric);
-  observed.is_paired = true;
-  observed.is_log_scale = metric.kind != Kind::share;
-  observed.fewest = min_sessions;
-  const SessionSets sessions = sessions_of(study);
-  const bool is_share = metric.kind == Kind::share;
+  MetricSamples samples = empty_samples(metric);
+  samples.is_paired = true;
+  samples.is_log_scale = metric.kind != MetricKind::success_rate;
+  samples.min_blocks = min_sessions;
+  const SessionSets sessions = session_sets(study);
+  const bool is_share = metric.kind == MetricKind::success_rate;
   for (std::size_t i = 0; i < study.labels.size(); ++i) {
     const std::string& label = study.labels[i];
-    if (study.beside.has(label) || study.in_batches.contains(label)) {
-      observed.groups.push_back(
-          {.name = label, .sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::apart}});
+    if (study.imported.has(label) || study.batch_timings.contains(label)) {
+      samples.groups.push_back(
+          {.name = label, .sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::not_comparable}});
       continue;
     }
     // A share of deadlines counts busy sessions, too: they are no random sample, and leaving them out would flatter.
-    observed.groups.push_back(group_of_times(study, metric, label, is_share ? sessions.compared : sessions.told[i]));
+    samples.groups.push_back(group_of_times(study, metric, label, is_share ? sessions.comparable : sessions.quiet[i]));
   }
-  return observed;
+  return samples;
 }
 
 }  // namespace
 
 std::span<const Metric> metrics() { return rows; }
 
-double Metric::value(const Solve& solve, const StudyResults& study) const {
+double Metric::value(const SolveSummary& solve, const StudyResults& study) const {
   if (value_of != nullptr) return value_of(solve, study);
-  return solve.status == Status::ok && number < solve.numbers.size() ? solve.numbers[number] : unknown;
+  return solve.status == Status::ok && number < solve.check_values.size() ? solve.check_values[number] : unknown;
 }
 
 std::vector<Metric> metrics_of(const StudySpec& study) {
@@ -257,7 +259,7 @@ std::vector<Metric> metrics_of(const StudySpec& study) {
                                                             its == known.name || its == "answered" ||
                                                             std::ranges::count(results::default_tie_breakers, its) > 0)
           throw std::invalid_argument(fmt::format("[check] has the number {}, which is a metric already", name));
-      all.push_back({name, name, name, "", Kind::cost, QuantityKind::other, 0, 0, WhenReported::always, nullptr,
+      all.push_back({name, name, name, "", MetricKind::cost, QuantityKind::other, 0, 0, WhenReported::always, nullptr,
                      all.size() - rows.size(), better});
     }
   }
@@ -272,50 +274,51 @@ MetricSamples empty_samples(const Metric& metric) {
   return {.metric = std::string(metric.slug),
           .quantity = std::string(metric.name),
           .unit = std::string(metric.unit),
-          .measures = metric.measures,
+          .quantity_kind = metric.quantity_kind,
           .better = metric.better,
-          .scale = metric.kind == Kind::share   ? EffectScale::share
-                   : metric.value_of == nullptr ? EffectScale::difference
-                                                : EffectScale::ratio,
+          .scale = metric.kind == MetricKind::success_rate ? EffectScale::share
+                   : metric.value_of == nullptr            ? EffectScale::difference
+                                                           : EffectScale::ratio,
           .floor = metric.floor,
-          .rounding = metric.rounding,
-          .is_ert = metric.kind == Kind::spent};
+          .resolution = metric.resolution,
+          .is_ert = metric.kind == MetricKind::ert};
 }
 
-MetricSamples observe(const StudyResults& study, const Metric& metric) {
-  MetricSamples observed = is_of_times(metric) ? observe_times(study, metric) : make_samples_by_target(study, metric);
-  observed.doubts = is_of_times(metric)                            ? time_warnings(study)
-                    : metric.measures == QuantityKind::evaluations ? evaluation_warnings(study)
-                                                                   : clock_warnings(study);
-  Doubt unsolved{.kind = WarningKind::times_not_comparable,
-                 .what = "too little is solved in the sessions that are compared"};
-  for (Group& group : observed.groups) {  // who is in doubt is described, and not compared
-    const bool is_doubted = std::ranges::any_of(observed.doubts, [&](const Doubt& doubt) {
-      return doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0;
+MetricSamples make_samples(const StudyResults& study, const Metric& metric) {
+  MetricSamples samples = is_time_metric(metric) ? observe_times(study, metric) : make_samples_by_target(study, metric);
+  samples.warnings = is_time_metric(metric)                              ? time_warnings(study)
+                     : metric.quantity_kind == QuantityKind::evaluations ? evaluation_warnings(study)
+                                                                         : clock_warnings(study);
+  Warning unsolved{.kind = WarningKind::times_not_comparable,
+                   .detail = "too little is solved in the sessions that are compared"};
+  for (Group& group : samples.groups) {  // who is in doubt is described, and not compared
+    const bool is_doubted = std::ranges::any_of(samples.warnings, [&](const Warning& warning) {
+      return warning.solvers.empty() || std::ranges::count(warning.solvers, group.name) > 0;
     });
-    const ExcludedSample* const its = untold(group);
-    if (its && its->why == ExcludedSample::NotTestedReason::apart && !is_doubted && metric.kind != Kind::share)
-      unsolved.who.push_back(group.name);
+    const ExcludedSample* const its = excluded(group);
+    if (its && its->reason == ExcludedSample::NotTestedReason::not_comparable && !is_doubted &&
+        metric.kind != MetricKind::success_rate)
+      unsolved.solvers.push_back(group.name);
     if (its || !is_doubted) continue;  // a group that lost values stays so: the stronger reason
     const std::span<const double> values = judge::values_of(group);
-    group.sample =
-        ExcludedSample{.why = ExcludedSample::NotTestedReason::apart, .values = {values.begin(), values.end()}};
+    group.sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::not_comparable,
+                                  .values = {values.begin(), values.end()}};
   }
-  if (!unsolved.who.empty()) observed.doubts.push_back(std::move(unsolved));
-  return observed;
+  if (!unsolved.solvers.empty()) samples.warnings.push_back(std::move(unsolved));
+  return samples;
 }
 
 MetricSamples make_samples_by_target(const StudyResults& study, const Metric& metric) {
   const StudyDefinition& definition = study.definition;
   const bool of_runs = are_runs(study, metric);
-  MetricSamples observed = empty_samples(metric);
-  observed.is_paired = definition.draws_targets || !of_runs;
-  observed.is_of_solved = is_of_solved(study, metric);
-  observed.is_log_scale = metric.kind == Kind::spent;
-  observed.trials = of_runs ? definition.points : definition.draws_targets ? 1 : definition.runs;
+  MetricSamples samples = empty_samples(metric);
+  samples.is_paired = definition.draws_targets || !of_runs;
+  samples.is_conditional_on_success = is_of_solved(study, metric);
+  samples.is_log_scale = metric.kind == MetricKind::ert;
+  samples.trials_per_observation = of_runs ? definition.points : definition.draws_targets ? 1 : definition.runs;
   for (const std::string& solver : study.labels)
-    observed.groups.push_back(group_of(study, metric, observed.is_paired, solver));
-  return observed;
+    samples.groups.push_back(group_of(study, metric, samples.is_paired, solver));
+  return samples;
 }
 
 }  // namespace ikbench::judge

@@ -52,8 +52,9 @@ double angle_deg(double orientation_error) {
 }
 
 bool exceeds_velocity(const StudyDefinition& study, const SolveRecord& solve) {
-  for (std::size_t j = 0; j < std::min({study.steps.size(), solve.start_rad.size(), solve.answer_rad.size()}); ++j) {
-    const auto [furthest, is_endless] = study.steps[j];
+  for (std::size_t j = 0; j < std::min({study.max_steps.size(), solve.start_rad.size(), solve.answer_rad.size()});
+       ++j) {
+    const auto [furthest, is_endless] = study.max_steps[j];
     const double move = solve.answer_rad[j] - solve.start_rad[j];
     if (std::abs(is_endless ? std::remainder(move, 360 * base::degree) : move) > furthest) return solve.point > 1;
   }
@@ -64,9 +65,10 @@ bool exceeds_velocity(const StudyDefinition& study, const SolveRecord& solve) {
 void add_extras(const SolveRecord& record, StudyResults& study) {
   const bool has_check = !study.definition.check.process.empty();
   for (const auto& [name, value] : record.extras) {
-    if (has_check && name.starts_with(invalid_extra)) ++study.faults[record.label][name.substr(invalid_extra.size())];
+    if (has_check && name.starts_with(invalid_extra))
+      ++study.rejections[record.label][name.substr(invalid_extra.size())];
     if (has_check && (name.starts_with(invalid_extra) || name.starts_with(check_extra))) continue;
-    const bool is_one_of_few = study.extras.contains(name) || std::ssize(study.extras) < most_extras;
+    const bool is_one_of_few = study.extras.contains(name) || std::ssize(study.extras) < max_extras;
     const bool is_metric = std::isfinite(value) && !name.starts_with(results::refused_prefix);
     if (is_metric && is_one_of_few) study.extras[name][record.label].push_back(value);
   }
@@ -77,13 +79,14 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
   if (record.run < 1 || record.point < 1)
     throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected them from 1",
                                             study.name, record.label, record.run, record.point));
-  if (!record.trace_cm.empty() && study.drawn.size() >= max_traces)
+  if (!record.trace_cm.empty() && study.plotted.size() >= max_traces)
     throw std::invalid_argument(
         fmt::format("study '{}' has too many solves with a trace; expected at most {}", study.name, max_traces));
   const Solves earlier = study.of(record.label);
   const bool is_of_first_run = earlier.empty() || earlier.front().run == record.run;
   if (earlier.empty() || earlier.back().run != record.run) bend = {};
-  if (!record.trace_cm.empty() || (is_of_first_run && std::ssize(earlier) < max_plotted)) study.drawn.push_back(record);
+  if (!record.trace_cm.empty() || (is_of_first_run && std::ssize(earlier) < max_plotted))
+    study.plotted.push_back(record);
   std::vector<double> numbers;
   for (const std::string& name : study.definition.check.numbers())
     if (const auto found = record.extras.find(std::string(check_extra) + name); found != record.extras.end())
@@ -93,9 +96,9 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
                        record.claimed_seconds >= min_credible_seconds(record.cpu_seconds);
   const double seconds = is_told ? record.claimed_seconds : record.seconds;
   const bool is_single = record.timing != Timing::batch;
-  if (!is_single) study.in_batches[record.label].first.insert(record.repeats);
-  if (!is_single && std::isfinite(seconds) && !is_without_answer(record.status))
-    study.in_batches[record.label].second.push_back(seconds);
+  if (!is_single) study.batch_timings[record.label].first.insert(record.repeats);
+  if (!is_single && std::isfinite(seconds) && !has_no_answer(record.status))
+    study.batch_timings[record.label].second.push_back(seconds);
   const bool is_timed = record.timing == Timing::clean || record.timing == Timing::process;
   const bool is_alone = record.timing == Timing::clean || (record.timing == Timing::process && is_told);
   const double period = study.definition.loop.period;
@@ -111,8 +114,8 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
        .counted_by = record.counted_by,
        .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
        .was_preempted = is_alone && record.cpu_seconds > 0 && seconds > 1.1 * record.cpu_seconds,
-       .is_told = is_told,
-       .is_late = is_timed && period > 0 && (seconds > period || is_without_answer(record.status)),
+       .is_self_timed = is_told,
+       .missed_deadline = is_timed && period > 0 && (seconds > period || has_no_answer(record.status)),
        .exceeds_velocity = exceeds_velocity(study.definition, record),
        .position_error_cm = record.position_error_cm,
        .orientation_error_deg = angle_deg(record.orientation_error),
@@ -120,30 +123,30 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
        .variation_m = record.variation_m,
        .largest_move_deg = record.largest_move_deg,
        .seconds = is_single ? seconds : unknown,
-       .bend_deg = bend.with(record.answer_rad),
+       .second_difference_deg = bend.with(record.answer_rad),
        .evaluations = record.evaluations,
        .iterations = record.iterations,
        .target = hash_of({record.target_position_m, record.target_rotation}),
        .start = hash_of({record.start_rad}),
        .answer = hash_of({record.answer_rad}),
-       .numbers = std::move(numbers)});
+       .check_values = std::move(numbers)});
 }
 
 // The same target, outcome and answer, bit for bit.
-bool are_same(const Solve& one, const Solve& other) {
+bool are_same(const SolveSummary& one, const SolveSummary& other) {
   return one.target == other.target && one.status == other.status && one.answer == other.answer;
 }
 
 }  // namespace
 
 void require_same_targets(const StudyResults& study) {
-  const auto place = [](const Solve& solve) { return (std::int64_t{solve.run} << 32) + solve.point; };
-  const auto is_own = [&](const Solve& solve) { return study.definition.is_chained() && solve.point > 1; };
-  std::unordered_map<std::int64_t, const Solve*> first;
-  for (const Solve& solve : study.solves) {
-    const Solve& here = *first.try_emplace(place(solve), &solve).first->second;
+  const auto place = [](const SolveSummary& solve) { return (std::int64_t{solve.run} << 32) + solve.point; };
+  const auto is_own = [&](const SolveSummary& solve) { return study.definition.is_chained() && solve.point > 1; };
+  std::unordered_map<std::int64_t, const SolveSummary*> first;
+  for (const SolveSummary& solve : study.solves) {
+    const SolveSummary& here = *first.try_emplace(place(solve), &solve).first->second;
     if (here.target == solve.target && (here.start == solve.start || is_own(solve))) continue;
-    const auto label = [&](const Solve& its) { return study.labels[static_cast<std::size_t>(its.label)]; };
+    const auto label = [&](const SolveSummary& its) { return study.labels[static_cast<std::size_t>(its.label)]; };
     throw std::invalid_argument(fmt::format(
         "study {}, run {}, point {}: {} and {} had different {}; expected one task for all, so solve it again into "
         "another folder",
@@ -154,14 +157,14 @@ void require_same_targets(const StudyResults& study) {
 
 Solves StudyResults::of(std::string_view solver) const {
   const auto here = std::ranges::find(labels, solver) - labels.begin();
-  return {std::ranges::lower_bound(solves, here, {}, &Solve::label),
-          std::ranges::upper_bound(solves, here, {}, &Solve::label)};
+  return {std::ranges::lower_bound(solves, here, {}, &SolveSummary::label),
+          std::ranges::upper_bound(solves, here, {}, &SolveSummary::label)};
 }
 
 std::span<const SolveRecord> StudyResults::first_run_of(std::string_view solver) const {
-  const auto first = std::ranges::find(drawn, solver, &SolveRecord::label);
+  const auto first = std::ranges::find(plotted, solver, &SolveRecord::label);
   const auto end = std::find_if(
-      first, drawn.end(), [&](const SolveRecord& solve) { return solve.label != solver || solve.run != first->run; });
+      first, plotted.end(), [&](const SolveRecord& solve) { return solve.label != solver || solve.run != first->run; });
   return {first, end};
 }
 
@@ -183,26 +186,26 @@ std::string timed_calls_text(const StudyResults& study) {
                                     : "calls of runs in a row";
 }
 
-SessionSets sessions_of(const StudyResults& study) {
+SessionSets session_sets(const StudyResults& study) {
   std::map<int, std::map<std::size_t, std::pair<int, int>>> counts;  // by session and solver: solves, those slowed
-  for (const Solve& solve : study.solves) {
-    if (study.beside.has(study.labels[static_cast<std::size_t>(solve.label)])) continue;
+  for (const SolveSummary& solve : study.solves) {
+    if (study.imported.has(study.labels[static_cast<std::size_t>(solve.label)])) continue;
     auto& [all, slowed] = counts[solve.session][static_cast<std::size_t>(solve.label)];
     ++all, slowed += solve.was_preempted;
   }
   const std::vector<std::set<int>> none(study.labels.size());
-  SessionSets sessions{.all = none, .made = none, .told = none};
+  SessionSets sessions{.all = none, .complete = none, .quiet = none};
   for (const auto& [session, solvers] : counts) {
     const auto most = std::ranges::max_element(solvers, {}, [](auto& each) { return each.second.first; })->second.first;
     const auto its = std::ranges::find(study.sessions, session, &Session::id);
     const bool is_compared = its != study.sessions.end() && uses_current_clock(*its);
-    if (is_compared) sessions.compared.insert(session);
+    if (is_compared) sessions.comparable.insert(session);
     for (const auto& [solver, count] : solvers) {
       const bool is_busy = count.second > 1 && 10 * count.second > count.first;
       sessions.all[solver].insert(session);
       if (!is_compared || count.first < most) continue;
-      sessions.made[solver].insert(session);
-      if (!is_busy) sessions.told[solver].insert(session);
+      sessions.complete[solver].insert(session);
+      if (!is_busy) sessions.quiet[solver].insert(session);
     }
   }
   return sessions;
@@ -210,9 +213,9 @@ SessionSets sessions_of(const StudyResults& study) {
 
 StudyResults read_study(const Store& store, const StoredStudy& entry, const SolveVisitor& also) {
   const std::int64_t all = store.solve_count(entry);
-  if (all > most_solves)
+  if (all > max_solves)
     throw std::invalid_argument(
-        fmt::format("study '{}' has {} solves; expected at most {}", entry.name, all, most_solves));
+        fmt::format("study '{}' has {} solves; expected at most {}", entry.name, all, max_solves));
   StudyResults study{entry};
   for (const Series& series : entry.series) {
     if (series.label.empty())
@@ -221,12 +224,12 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Solv
   }
   study.solves.reserve(static_cast<std::size_t>(all));
   Bend bend;
-  store.each_of_study(entry, [&](const SolveRecord& record) {
+  store.for_each_in_study(entry, [&](const SolveRecord& record) {
     if (also) also(record);
     add(record, bend, study);
   });
   std::set<std::int64_t> used;
-  for (const Solve& solve : study.solves) used.insert(solve.session);
+  for (const SolveSummary& solve : study.solves) used.insert(solve.session);
   study.sessions = store.sessions();
   std::erase_if(study.sessions, [&](const Session& session) { return !used.contains(session.id); });
   std::string& control = study.definition.plan.control;
@@ -236,7 +239,7 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Solv
     if (std::ssize(study.of(series.label)) >= std::int64_t{study.definition.runs} * study.definition.points) continue;
     const std::int64_t others = store.stale_solve_count(series.key);
     if (others == 0) continue;
-    study.stale_solves.who.push_back(series.label);
+    study.stale_solves.solvers.push_back(series.label);
     study.stale_solves.count += static_cast<double>(others);
   }
   return study;
@@ -245,7 +248,7 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Solv
 std::vector<Solves> runs_of(Solves rest) {
   std::vector<Solves> runs;
   while (!rest.empty()) {
-    const auto is_other = [&](const Solve& solve) { return solve.run != rest.front().run; };
+    const auto is_other = [&](const SolveSummary& solve) { return solve.run != rest.front().run; };
     runs.push_back(rest.first(static_cast<std::size_t>(std::ranges::find_if(rest, is_other) - rest.begin())));
     rest = rest.subspan(runs.back().size());
   }
@@ -261,23 +264,25 @@ std::vector<Solves> complete_runs_of(const StudyResults& study, std::string_view
 bool repeats_itself(const StudyResults& study, std::string_view solver) {
   const std::vector<Solves> runs = complete_runs_of(study, solver);
   return runs.size() > 1 && std::ranges::all_of(runs, [&](Solves run) {
-           return std::ranges::equal(run, runs.front(), [](const Solve& one, const Solve& other) {
+           return std::ranges::equal(run, runs.front(), [](const SolveSummary& one, const SolveSummary& other) {
              return one.answer != 0 && are_same(one, other);
            });
          });
 }
 
-bool gave_answer(const Solve& solve) { return !is_without_answer(solve.status) && solve.status != Status::not_finite; }
+bool has_answer(const SolveSummary& solve) {
+  return !has_no_answer(solve.status) && solve.status != Status::not_finite;
+}
 
 std::vector<double> solve_times(const StudyResults& study, std::string_view solver) {
   std::vector<double> seconds;
-  for (const Solve& solve : study.of(solver))
-    if (!is_without_answer(solve.status) && std::isfinite(solve.seconds)) seconds.push_back(solve.seconds);
+  for (const SolveSummary& solve : study.of(solver))
+    if (!has_no_answer(solve.status) && std::isfinite(solve.seconds)) seconds.push_back(solve.seconds);
   return seconds;
 }
 
 bool are_identical(Solves solves, Solves others) {
-  return std::ranges::equal(solves, others, [](const Solve& one, const Solve& two) {
+  return std::ranges::equal(solves, others, [](const SolveSummary& one, const SolveSummary& two) {
     return one.run == two.run && one.point == two.point && are_same(one, two) && one.evaluations == two.evaluations;
   });
 }

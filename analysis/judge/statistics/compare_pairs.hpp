@@ -18,7 +18,7 @@ namespace ikbench::judge {
 using results::AnalysisPlan;
 
 // Of the first. same: within the margin. undecided: p decides nothing. not_tested: an open finding says why.
-enum class Verdict { better, worse, same, undecided, not_tested };
+enum class Verdict { better, worse, equivalent, inconclusive, not_tested };
 std::string_view name_of(Verdict verdict);
 
 struct EffectEstimate {
@@ -29,47 +29,47 @@ struct EffectEstimate {
 // Shares of pairs or blocks in which the first is better, and worse. Their difference is Cliff's delta; A12 has equal
 // ones half (Vargha and Delaney, J. Educational and Behavioral Statistics 25 (2000) 101).
 struct Dominance {
-  double ahead = 0, behind = 0;
-  double a12() const { return (1 + ahead - behind) / 2; }
+  double better = 0, worse = 0;
+  double a12() const { return (1 + better - worse) / 2; }
 };
 
 struct TestResult {
-  Verdict verdict = Verdict::undecided;
-  bool is_small = false;                 // a difference within the margin
-  double p = 1;                          // times the tested pairs; below the significance it decides
-  std::optional<Dominance> effect = {};  // none of summaries and of logarithms
-  std::optional<double> g = {};          // Hedges', of paired values g_av, where means decide (describe.hpp)
+  Verdict verdict = Verdict::inconclusive;
+  bool is_below_margin = false;             // a difference within the margin
+  double adjusted_p = 1;                    // times the tested pairs; below the significance it decides
+  std::optional<Dominance> dominance = {};  // none of summaries and of logarithms
+  std::optional<double> hedges_g = {};      // Hedges', of paired values g_av, where means decide (describe.hpp)
   std::string_view test = {};
-  int n = 0;       // observations, or common blocks; of the smaller group, or those that a solver that
-                   // repeats itself is held against
-  int enough = 0;  // of undecided with p < 0.5: about how many could decide; 0: nobody knows
+  int n = 0;           // observations, or common blocks; of the smaller group, or those that a solver that
+                       // repeats itself is held against
+  int required_n = 0;  // of undecided with p < 0.5: about how many could decide; 0: nobody knows
 };
 
 // Both solvers repeat themselves: no chance is in the difference.
 struct DeterministicResult {
-  Verdict verdict = Verdict::same;  // better and worse by more than the margin
+  Verdict verdict = Verdict::equivalent;  // better and worse by more than the margin
 };
 
 struct NotTested {
   using NotTestedReason = ExcludedSample::NotTestedReason;
-  NotTestedReason why = NotTestedReason::too_few;
-  int n = 0;       // observations of the smaller group, or common blocks
-  int needed = 0;  // if too few: how many, in each group, could decide
+  NotTestedReason reason = NotTestedReason::sample_too_small;
+  int n = 0;           // observations of the smaller group, or common blocks
+  int required_n = 0;  // if too few: how many, in each group, could decide
 };
 
 struct Comparison {
   std::string first = {}, second = {};
   EffectScale scale = EffectScale::difference;  // of the amount; means have differences
-  std::optional<EffectEstimate> amount =
+  std::optional<EffectEstimate> estimate =
       {};  // of what is tested, if it does not refute the verdict; of facts, and of few
-  std::variant<TestResult, DeterministicResult, NotTested> what = NotTested();
+  std::variant<TestResult, DeterministicResult, NotTested> result = NotTested();
 };
 
 // What every finding has in common.
-Verdict verdict_of(const Comparison& finding);  // few that decide leave it undecided
+Verdict verdict_of(const Comparison& comparison);  // few that decide leave it undecided
 constexpr double null_value(EffectScale scale) { return scale == EffectScale::ratio ? 1 : 0; }
-bool is_open(const Comparison& finding, NotTested::NotTestedReason why);
-bool are_equal(const Comparison& finding);  // no value differs
+bool is_not_tested(const Comparison& comparison, NotTested::NotTestedReason why);
+bool all_values_equal(const Comparison& comparison);  // no value differs
 
 // What decides the test, never how the values are spread:
 //
@@ -84,18 +84,18 @@ bool are_equal(const Comparison& finding);  // no value differs
 // A pair is decided at the significance divided by the number of pairs that data of these sizes can decide at all, and
 // by `metrics`, the number of metrics that share the significance. Throws std::invalid_argument if the control is no
 // group. Paired groups have one size without blocks, and ratios are of values above 0, or have a floor above it.
-std::vector<Comparison> compare(const MetricSamples& observed, const AnalysisPlan& plan, std::size_t metrics = 1);
+std::vector<Comparison> compare(const MetricSamples& samples, const AnalysisPlan& plan, std::size_t metrics = 1);
 
 // One metric of several studies, such as those of the labels that two stores have: their pairs share the significance.
-struct Member {
-  const MetricSamples* observed;
+struct FamilyMember {
+  const MetricSamples* samples;
   const AnalysisPlan* plan;
 };
 // The findings of each member of a family.
-std::vector<std::vector<Comparison>> compare(const std::vector<Member>& family, std::size_t metrics);
+std::vector<std::vector<Comparison>> compare(const std::vector<FamilyMember>& family, std::size_t metrics);
 
 bool is_difference(Verdict verdict);                                       // better or worse
-Verdict turned(Verdict verdict);                                           // of the second
+Verdict reversed(Verdict verdict);                                         // of the second
 std::set<std::string> beaten_solvers(const std::vector<Comparison>& all);  // worse than another
 
 // A mean: one value is more than half of the sum of all sizes; of costs per solved target few values are worth most of
@@ -103,10 +103,10 @@ std::set<std::string> beaten_solvers(const std::vector<Comparison>& all);  // wo
 bool is_dominated(const Group& group);
 
 // A mean or median is worse than another by more than the margin.
-bool is_worse_beyond_margin(const MetricSamples& observed, const AnalysisPlan& plan, double one, double other);
+bool is_worse_beyond_margin(const MetricSamples& samples, const AnalysisPlan& plan, double one, double other);
 
 // The same pair, told with its better one first, or if none is with its second where that is ahead; or else with the
 // control second.
-Comparison better_first(Comparison finding, std::string_view control, bool is_second_ahead = false);
+Comparison better_first(Comparison comparison, std::string_view control, bool is_second_ahead = false);
 
 }  // namespace ikbench::judge

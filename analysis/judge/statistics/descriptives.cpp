@@ -14,7 +14,7 @@ double quantile(const std::vector<double>& sorted, double share) {
   return low == high || part == 0 ? low : (1 - part) * low + part * high;
 }
 
-Descriptives described(const std::vector<double>& values) {
+Descriptives describe_values(const std::vector<double>& values) {
   if (values.empty()) return {};
   const SummaryStatistics summary = summarise(values);
   std::vector<double> sorted = values;
@@ -34,11 +34,11 @@ Descriptives described(const std::vector<double>& values) {
 
 Descriptives describe(const Group& group) {
   const auto* printed = std::get_if<SummaryStatistics>(&group.sample);
-  if (untold(group) && untold(group)->printed) printed = &*untold(group)->printed;
+  if (excluded(group) && excluded(group)->printed) printed = &*excluded(group)->printed;
   if (printed) return {.n = printed->n, .mean = printed->mean, .sd = printed->sd};
   const std::span<const double> values = values_of(group);
-  Descriptives its = described({values.begin(), values.end()});
-  if (group.at_most > 0) its.sd = unknown;
+  Descriptives its = describe_values({values.begin(), values.end()});
+  if (group.tolerance > 0) its.sd = unknown;
   return its;
 }
 

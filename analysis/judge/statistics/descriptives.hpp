@@ -24,7 +24,7 @@ struct Descriptives {
 };
 
 Descriptives describe(const Group& group);
-Descriptives described(const std::vector<double>& values);
+Descriptives describe_values(const std::vector<double>& values);
 // Of values that rise, which are not none.
 double quantile(const std::vector<double>& sorted, double share);
 

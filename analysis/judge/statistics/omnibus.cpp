@@ -15,7 +15,7 @@ namespace {
 
 bool has_chance(const Group& group) {  // in its values
   return std::holds_alternative<SummaryStatistics>(group.sample) ||
-         (!untold(group) && !repeats_itself(group) && !values_of(group).empty());
+         (!excluded(group) && !repeats_itself(group) && !values_of(group).empty());
 }
 
 OmnibusTest with_p(OmnibusTest test) {
@@ -41,7 +41,7 @@ std::vector<OmnibusTest> anova_of_blocks(std::vector<Group> groups) {
   for (Group& group : groups) all.push_back(&group);
   keep_common_blocks(all);
   std::vector<std::vector<double>> columns;
-  for (Group& group : groups) columns.push_back(std::get<Measured>(group.sample).values);
+  for (Group& group : groups) columns.push_back(std::get<Sample>(group.sample).values);
   const std::size_t k = columns.size(), n = columns.front().size();
   if (n < 2) return {};
   // What the values of a block have in common comes off before any sum: it decides nothing, and a huge one, such as a
@@ -126,9 +126,9 @@ std::vector<OmnibusTest> anova_of_groups(const std::vector<SummaryStatistics>& g
 
 }  // namespace
 
-std::vector<OmnibusTest> anova(const MetricSamples& observed) {
-  if (observed.groups.size() < 2 || !std::ranges::all_of(observed.groups, has_chance)) return {};
-  return observed.is_paired ? anova_of_blocks(observed.groups) : anova_of_groups(summaries_of(observed.groups));
+std::vector<OmnibusTest> anova(const MetricSamples& samples) {
+  if (samples.groups.size() < 2 || !std::ranges::all_of(samples.groups, has_chance)) return {};
+  return samples.is_paired ? anova_of_blocks(samples.groups) : anova_of_groups(summaries_of(samples.groups));
 }
 
 double critical_difference(std::size_t groups, std::size_t blocks) {
@@ -140,14 +140,14 @@ double critical_difference(std::size_t groups, std::size_t blocks) {
   return q[groups - 2] * std::sqrt(static_cast<double>(groups * (groups + 1)) / (6 * static_cast<double>(blocks)));
 }
 
-OmnibusTests omnibus_tests(MetricSamples observed) {
+OmnibusTests omnibus_tests(MetricSamples samples) {
   OmnibusTests all;
-  if (observed.scale == EffectScale::share || observed.is_log_scale) return all;
-  std::erase_if(observed.groups, [&](const Group& group) {
+  if (samples.scale == EffectScale::share || samples.is_log_scale) return all;
+  std::erase_if(samples.groups, [&](const Group& group) {
     if (!has_chance(group)) all.without.push_back(group.name);
     return !has_chance(group);
   });
-  all.tests = anova(observed);
+  all.tests = anova(samples);
   return all;
 }
 

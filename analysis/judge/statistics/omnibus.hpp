@@ -29,7 +29,7 @@ struct OmnibusTest {
 // two groups, copies, lost or infinite values, or groups without spread. Then the same without that: one-way Welch's F
 // (Biometrika 38 (1951) 330), not where a group has no spread; of more than two paired groups with the degrees of
 // freedom of Greenhouse and Geisser (Psychometrika 24 (1959) 95).
-std::vector<OmnibusTest> anova(const MetricSamples& observed);
+std::vector<OmnibusTest> anova(const MetricSamples& samples);
 // Nemenyi's, of mean ranks of so many groups at 0.05 (Demsar, J. Machine Learning Research 7 (2006) 1). NaN for fewer
 // than 2 and more than 20 groups.
 double critical_difference(std::size_t groups, std::size_t blocks);
@@ -39,6 +39,6 @@ struct OmnibusTests {
   std::vector<OmnibusTest> tests = {};
   std::vector<std::string> without = {};
 };
-OmnibusTests omnibus_tests(MetricSamples observed);
+OmnibusTests omnibus_tests(MetricSamples samples);
 
 }  // namespace ikbench::judge

@@ -12,7 +12,7 @@ constexpr double rounding_of_doubles = 4 * std::numeric_limits<double>::epsilon(
 
 // Makes values equal that lie above the smallest of them by no more than its own rounding or theirs.
 void remove_rounding(std::vector<double>& values, const std::vector<double>& roundings) {
-  const std::vector<IndexedValue> order = rising(values);
+  const std::vector<IndexedValue> order = sorted_with_index(values);
   for (std::size_t first = 0, next = 0; first < order.size(); first = next) {
     const IndexedValue& least = order[first];
     const auto is_equal = [&](const IndexedValue& other) {
@@ -25,12 +25,12 @@ void remove_rounding(std::vector<double>& values, const std::vector<double>& rou
 }
 
 // Makes values equal that differ by no more than the rounding, or lie below a floor.
-void settle(std::vector<double>& values, const MetricSamples& observed, bool has_floor) {
+void settle(std::vector<double>& values, const MetricSamples& samples, bool has_floor) {
   std::vector<double> roundings;
   for (double& value : values) {
-    value = has_floor ? std::max(value, observed.floor) : value;
+    value = has_floor ? std::max(value, samples.floor) : value;
     // No answer is no number, so none is equal to it.
-    roundings.push_back(std::isinf(value) ? 0 : std::max(observed.rounding, rounding_of_doubles * std::abs(value)));
+    roundings.push_back(std::isinf(value) ? 0 : std::max(samples.resolution, rounding_of_doubles * std::abs(value)));
   }
   remove_rounding(values, roundings);
 }
@@ -41,7 +41,7 @@ SummaryStatistics summary_of(const Group& group, const std::vector<double>& valu
 }
 
 bool is_one_value(const Group& group) {
-  return values_of(group).size() == 1 || repeats_itself(group) || may_be_copies(group);
+  return values_of(group).size() == 1 || repeats_itself(group) || is_constant(group);
 }
 
 // One value is held against all of the other group.
@@ -66,47 +66,47 @@ std::vector<double> differences_of(const Group& first, const Group& second, cons
 }  // namespace
 
 void keep_common_blocks(const std::vector<Group*>& groups) {
-  std::vector<Measured*> all;
+  std::vector<Sample*> all;
   for (Group* const group : groups)
-    if (auto* const measured = std::get_if<Measured>(&group->sample)) all.push_back(measured);
-  const auto has_same = [&](const Measured* its) { return its->blocks == all.front()->blocks; };
+    if (auto* const measured = std::get_if<Sample>(&group->sample)) all.push_back(measured);
+  const auto has_same = [&](const Sample* its) { return its->blocks == all.front()->blocks; };
   if (std::ranges::all_of(all, has_same)) return;
   std::vector<int> common = all.front()->blocks;
-  for (const Measured* const its : all)
+  for (const Sample* const its : all)
     std::erase_if(common, [&](int block) { return !std::ranges::binary_search(its->blocks, block); });
-  for (Measured* const its : all) {
+  for (Sample* const its : all) {
     auto block = its->blocks.begin();
     std::erase_if(its->values, [&](double) { return !std::ranges::binary_search(common, *block++); });
     its->blocks = common;
   }
 }
 
-PairData prepared(const Group& first, const Group& second, const MetricSamples& observed, bool is_by_difference,
-                  bool takes_logs) {
+PairData make_pair_data(const Group& first, const Group& second, const MetricSamples& samples, bool is_by_difference,
+                        bool takes_logs) {
   const std::span<const double> of_first = values_of(first), of_second = values_of(second);
   std::vector<double> all(of_first.begin(), of_first.end());
   all.insert(all.end(), of_second.begin(), of_second.end());
-  settle(all, observed, takes_logs);
+  settle(all, samples, takes_logs);
   if (takes_logs) std::ranges::transform(all, all.begin(), [](double value) { return std::log(value); });
   PairData numbers;
   // A stand-in that no difference, mean or shift of the others comes near, and whose square is still exact enough.
   constexpr double far = 1e4;
-  double most = std::max(observed.absolute_margin, takes_logs ? 100.0 : 0.0);
+  double most = std::max(samples.absolute_margin, takes_logs ? 100.0 : 0.0);
   for (const double value : all) most = std::isinf(value) ? most : std::max(most, std::abs(value));
   for (double& value : all)
     if (std::isinf(value)) {
-      numbers.no_answer = most > 0 ? far * most : 1;
-      value = std::copysign(numbers.no_answer, value);
+      numbers.infinity_substitute = most > 0 ? far * most : 1;
+      value = std::copysign(numbers.infinity_substitute, value);
     }
   numbers.first.assign(all.begin(), all.begin() + std::ssize(of_first));
   numbers.second.assign(all.begin() + std::ssize(of_first), all.end());
   numbers.of_first = summary_of(first, numbers.first);
   numbers.of_second = summary_of(second, numbers.second);
   for (const Group* const group : {&first, &second}) {
-    const Measured* const its = measured(*group);
-    if (its == nullptr || its->worth == 0) continue;
-    numbers.worth = std::min(numbers.worth, its->worth);
-    numbers.solved = std::min(numbers.solved, its->solved);
+    const Sample* const its = sample_of(*group);
+    if (its == nullptr || its->effective_n == 0) continue;
+    numbers.effective_n = std::min(numbers.effective_n, its->effective_n);
+    numbers.solved_targets = std::min(numbers.solved_targets, its->solved_targets);
   }
   if (is_by_difference) {
     numbers.differences = differences_of(first, second, numbers, takes_logs);

@@ -15,14 +15,16 @@ struct PairData {
   std::vector<double> first, second;
   std::vector<double> differences = {};  // by block; or of each run from the one value of a solver that repeats itself
   SummaryStatistics of_first = {}, of_second = {};
-  double worth = std::numeric_limits<double>::infinity();  // of logarithms: that of the group whose values tell less
-  double solved = worth;                                   // of the same: targets that the weaker one solved
-  double no_answer = 0;  // stands for infinite values, and is larger than all that comes of others; 0: there are none
+  double effective_n =
+      std::numeric_limits<double>::infinity();  // of logarithms: that of the group whose values tell less
+  double solved_targets = effective_n;          // of the same: targets that the weaker one solved
+  double infinity_substitute =
+      0;  // stands for infinite values, and is larger than all that comes of others; 0: there are none
   bool are_all_equal = false;
 
   // Infinite where it is made of a value that stands for an infinite one.
-  double unbound(double value) const {
-    return no_answer > 0 && std::abs(value) > no_answer / 8
+  double restore_infinity(double value) const {
+    return infinity_substitute > 0 && std::abs(value) > infinity_substitute / 8
                ? std::copysign(std::numeric_limits<double>::infinity(), value)
                : value;
   }
@@ -33,7 +35,7 @@ void keep_common_blocks(const std::vector<Group*>& groups);
 
 // Values below the floor count as it where logarithms are taken; those that differ by no more than the rounding are
 // equal. Paired values without blocks belong together by their places.
-PairData prepared(const Group& first, const Group& second, const MetricSamples& observed, bool is_by_difference,
-                  bool takes_logs);
+PairData make_pair_data(const Group& first, const Group& second, const MetricSamples& samples, bool is_by_difference,
+                        bool takes_logs);
 
 }  // namespace ikbench::judge

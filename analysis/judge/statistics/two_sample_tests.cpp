@@ -60,7 +60,7 @@ struct Ranks {
 };
 
 Ranks midranks(Values values) {
-  const std::vector<IndexedValue> order = rising(values);
+  const std::vector<IndexedValue> order = sorted_with_index(values);
   Ranks result{.ranks = std::vector<double>(values.size())};
   for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
     end = first + 1;  // since a NaN does not equal itself
@@ -175,7 +175,7 @@ SummaryStatistics placements(Values own, Values others, double shift) {
 std::int64_t in_order(std::int64_t bits) {
   return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits - 1 : bits;
 }
-std::int64_t place_of(double value) { return in_order(std::bit_cast<std::int64_t>(value)); }
+std::int64_t index_of(double value) { return in_order(std::bit_cast<std::int64_t>(value)); }
 double value_at(std::int64_t place) { return std::bit_cast<double>(in_order(place)); }
 
 // Of all sums x_i + y_j, or only those with i <= j where y is x: the median, and the interval from the rank-th smallest
@@ -186,7 +186,7 @@ UnadjustedTest of_sums(std::vector<double> x, std::vector<double> y, bool are_sa
     if (!std::ranges::is_sorted(*values)) std::ranges::sort(*values);
   const std::size_t all = are_same ? x.size() * (x.size() + 1) / 2 : x.size() * y.size();
   const auto smallest = [&](std::size_t at) {  // from 1
-    std::int64_t low = place_of(x.front() + y.front()), high = place_of(x.back() + y.back());
+    std::int64_t low = index_of(x.front() + y.front()), high = index_of(x.back() + y.back());
     while (low < high) {
       const std::int64_t middle = std::midpoint(low, high);
       const double bound = value_at(middle);
@@ -200,9 +200,9 @@ UnadjustedTest of_sums(std::vector<double> x, std::vector<double> y, bool are_sa
       const auto twice = [&](double value) { return value + value <= bound; };
       if (are_same) count = (count + static_cast<std::size_t>(std::ranges::count_if(x, twice))) / 2;
       if (count >= at)
-        high = std::min(middle, place_of(below));
+        high = std::min(middle, index_of(below));
       else
-        low = std::max(middle + 1, place_of(above));
+        low = std::max(middle + 1, index_of(above));
     }
     return value_at(low) + 0.0;  // 0, not -0
   };
@@ -234,7 +234,7 @@ SummaryStatistics summarise(Values values) {
   return {.n = static_cast<int>(values.size()), .mean = shift + sum / n, .sd = is_rounding ? 0 : sd};
 }
 
-std::vector<IndexedValue> rising(Values values) {
+std::vector<IndexedValue> sorted_with_index(Values values) {
   std::vector<IndexedValue> order;
   order.reserve(values.size());
   for (const double value : values) order.emplace_back(value, order.size());
@@ -292,7 +292,7 @@ UnadjustedTest rank_test(Values first, Values second, double alpha) {
   UnadjustedTest outcome = of_sums(first_rising, std::move(negative), false, rank);
   // From an end of Mann-Whitney's as far as Brunner-Munzel reaches: to a difference, however large the largest is.
   const auto reached = [&](double from, double beyond) {
-    std::int64_t kept = place_of(from), out = place_of(beyond);
+    std::int64_t kept = index_of(from), out = index_of(beyond);
     for (auto next = std::midpoint(kept, out); next != kept; next = std::midpoint(kept, out))
       (brunner_munzel(first_rising, second_rising, value_at(next)) >= alpha ? kept : out) = next;
     return std::abs(value_at(kept)) < std::numeric_limits<double>::min() ? 0 : value_at(kept);  // beside 0
@@ -349,15 +349,15 @@ UnadjustedTest sign_test(Values differences, double alpha) {
           .interval = quantile_interval(order, 0.5, alpha)};
 }
 
-Interval wilson(double share, double n, double alpha) {
+Interval wilson_interval(double share, double n, double alpha) {
   const double z = critical_z(alpha), zz = z * z / n;
   const double centre = (share + zz / 2) / (1 + zz);
   const double half = std::sqrt((share * (1 - share) + zz / 4) * zz) / (1 + zz);
   return {share == 0 ? 0 : centre - half, share == 1 ? 1 : centre + half};
 }
 
-Interval newcombe(double first, double m, double second, double n, double alpha, double phi) {
-  const Interval of_first = wilson(first, m, alpha), of_second = wilson(second, n, alpha);
+Interval newcombe_interval(double first, double m, double second, double n, double alpha, double phi) {
+  const Interval of_first = wilson_interval(first, m, alpha), of_second = wilson_interval(second, n, alpha);
   const auto reach = [phi](double a, double b) { return std::sqrt(std::max(0.0, a * a - 2 * phi * a * b + b * b)); };
   return {first - second - reach(first - of_first.low, of_second.high - second),
           first - second + reach(of_first.high - first, second - of_second.low)};
@@ -382,7 +382,7 @@ UnadjustedTest fisher(Values first, Values second, double alpha) {
   return {.estimate = share - other,
           .p = std::min(1.0, as_rare / total),
           .direction = sign_of(share - other),
-          .interval = newcombe(share, m, other, n, alpha)};
+          .interval = newcombe_interval(share, m, other, n, alpha)};
 }
 
 UnadjustedTest mcnemar(Values first, Values second, double alpha) {
@@ -399,7 +399,7 @@ UnadjustedTest mcnemar(Values first, Values second, double alpha) {
   return {.estimate = (b - c) / n,
           .p = two_sided_binomial(b, b + c),
           .direction = sign_of(b - c),
-          .interval = newcombe((a + b) / n, n, (a + c) / n, n, alpha, phi)};
+          .interval = newcombe_interval((a + b) / n, n, (a + c) / n, n, alpha, phi)};
 }
 
 }  // namespace ikbench::judge

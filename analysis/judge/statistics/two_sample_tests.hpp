@@ -34,7 +34,7 @@ SummaryStatistics summarise(Values values);
 
 // Values that rise, each with its place. Pairs stay in the cache, which places alone would not.
 using IndexedValue = std::pair<double, std::size_t>;
-std::vector<IndexedValue> rising(Values values);
+std::vector<IndexedValue> sorted_with_index(Values values);
 
 // The smallest p that ranks and McNemar's test can give.
 double min_p_unpaired(std::size_t m, std::size_t n);  // 2 / C(m + n, m)
@@ -57,10 +57,10 @@ double mann_whitney(Values first, Values second);
 UnadjustedTest rank_test(Values first, Values second, double alpha);
 // Values that are made of a sum may be worth fewer: so many less one are the degrees of freedom, if they are at
 // least 1.
-constexpr double all_of_them = std::numeric_limits<double>::infinity();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 // Biometrika 34 (1947) 28. Two constant groups have the p of the permutations, 2 / C(m + n, m).
 UnadjustedTest welch(const SummaryStatistics& first, const SummaryStatistics& second, double alpha,
-                     double worth = all_of_them);
+                     double worth = unlimited);
 
 // Numbers, paired: by the differences first - second.
 
@@ -68,7 +68,7 @@ UnadjustedTest welch(const SummaryStatistics& first, const SummaryStatistics& se
 // the median of all means of two differences.
 UnadjustedTest signed_rank_test(Values differences, double alpha);
 // Student's t (Biometrika 6 (1908) 1). Equal differences have the p of the permutations, 2^(1 - n).
-UnadjustedTest t_test(Values differences, double alpha, double worth = all_of_them);
+UnadjustedTest t_test(Values differences, double alpha, double worth = unlimited);
 // The signs of the differences that are not 0 (Dixon and Mood, JASA 41 (1946) 557); the median, with the interval of
 // its order statistics.
 UnadjustedTest sign_test(Values differences, double alpha);
@@ -76,9 +76,9 @@ UnadjustedTest sign_test(Values differences, double alpha);
 // Shares.
 
 // JASA 22 (1927) 209; `share` may be a mean of shares.
-Interval wilson(double share, double n, double alpha);
+Interval wilson_interval(double share, double n, double alpha);
 // Statistics in Medicine 17 (1998) 873, method 10; for correlated shares 2635, method 10.
-Interval newcombe(double first, double m, double second, double n, double alpha, double correlation = 0);
+Interval newcombe_interval(double first, double m, double second, double n, double alpha, double correlation = 0);
 // Of values 0 and 1. All tables no more probable than this one (Fisher, Statistical Methods for Research Workers, 5th
 // ed. 1934, section 21.02); Newcombe's interval.
 UnadjustedTest fisher(Values first, Values second, double alpha);

@@ -41,7 +41,7 @@ class Helix : public TargetSet {
   int points() const override { return points_; }
 
   std::vector<Pose> poses(const Robot&, Random&) const override {
-    Eigen::Matrix3d held = rotation(tool_);
+    Eigen::Matrix3d held = tool_rotation(tool_);
     if (roll_ != 0) held = held * rotation_from_rpy({0, 0, roll_});
     if (yaw_ != 0) held = rotation_from_rpy({0, 0, yaw_}) * held;
     const int intervals = spacing_ == Spacing::k_over_n ? points_ : std::max(points_ - 1, 1);

@@ -108,14 +108,15 @@ class PoseColumns {
     const double value = number(row, column), unit = names_[column].unit == "deg" ? degree : 1;
     constexpr double most = 1e6;  // beyond it digits of the angle are lost
     if (std::abs(value) > most) sheet_.refuse(row, column, fmt::format("is no angle; expected at most {:g}", most));
-    if (const std::string_view doubt = doubt_of_angle(value, unit); !doubt.empty()) sheet_.refuse(row, column, doubt);
+    if (const std::string_view warning = doubt_of_angle(value, unit); !warning.empty())
+      sheet_.refuse(row, column, warning);
     return value * unit;
   }
 
   Eigen::Matrix3d rotation_in(std::size_t row) {
     if (!matrix_.empty()) return rotation_of_matrix(row);
     if (!rpy_.empty()) return rotation_from_rpy({angle(row, rpy_[0]), angle(row, rpy_[1]), angle(row, rpy_[2])});
-    if (quaternion_.empty()) return rotation(ToolOrientation::down);
+    if (quaternion_.empty()) return tool_rotation(ToolOrientation::down);
     Eigen::Vector4d q;
     for (std::size_t i = 0; i < 4; ++i) q[static_cast<Eigen::Index>(i)] = number(row, quaternion_[i]);
     constexpr double tolerance = 0.01;

@@ -130,8 +130,8 @@ class RandomTargets final : public TargetSet {
               fmt::format("\"near_limits\", but no joint of {} has limits", arm.name));
   }
 
-  bool is_drawn() const override { return true; }
-  bool is_of_numpy() const override { return generator_ == Generator::numpy; }
+  bool is_random() const override { return true; }
+  bool uses_numpy_random() const override { return generator_ == Generator::numpy; }
   int points() const override { return points_; }
 
   std::vector<Pose> poses(const Robot& arm, Random& random) const override {
@@ -147,7 +147,7 @@ class RandomTargets final : public TargetSet {
     return poses;
   }
 
-  std::vector<Configuration> solutions(const Robot& arm, Random& random) const override {
+  std::vector<Configuration> source_configurations(const Robot& arm, Random& random) const override {
     return set_ == Set::unreachable ? std::vector<Configuration>() : drawn(arm, random);
   }
 
@@ -155,7 +155,7 @@ class RandomTargets final : public TargetSet {
   std::vector<Configuration> drawn(const Robot& arm, Random& random) const {
     const Demand demand = set_ == Set::near_singular ? near_singular(arm) : set_ == Set::edge ? at_edge(arm) : Demand{};
     JointLimits range = range_of(arm);
-    for (Eigen::Index j = 0; j < range.lower.size() && is_of_numpy(); ++j) {
+    for (Eigen::Index j = 0; j < range.lower.size() && uses_numpy_random(); ++j) {
       if (arm.chain.slides(j) || range.upper[j] - range.lower[j] <= whole_turn) continue;
       range.lower[j] = std::max(range.lower[j], -whole_turn / 2);
       range.upper[j] = std::min(range.upper[j], whole_turn / 2);
