@@ -267,7 +267,7 @@ std::string ChildProcess::read_line(Clock::time_point deadline) {
       return line;
     }
     if (read_.size() > longest_line)
-      throw ProcessFailure{ProcessFailure::Kind::broke_protocol, "it wrote a line of more than a million bytes"};
+      throw ProcessFailure{ProcessFailure::Kind::protocol_error, "it wrote a line of more than a million bytes"};
     if (output_ < 0) throw ProcessFailure{ProcessFailure::Kind::crashed, "it ended"};
     seen = read_.size();
     wait(-1, deadline, "it did not answer in time");

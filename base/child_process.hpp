@@ -18,7 +18,7 @@ using Clock = std::chrono::steady_clock;
 
 // The error for a program that gives no answer. `why` is a sentence about "it".
 struct ProcessFailure {
-  enum class Kind { crashed, timed_out, broke_protocol, declined } kind;
+  enum class Kind { crashed, timed_out, protocol_error, declined } kind;
   std::string why;
 };
 

@@ -189,7 +189,7 @@ class Checks {
             ? fmt::format("it says that it is {:.9g} m off, and is {:.9g} m off", account.reported_error, tried.error)
         : account.ignored_budget ? "it asks for more evaluations after it is told that its budget is used up"
                                  : "";
-    const std::string counted = account.counted_by == CountedBy::suite
+    const std::string counted = account.counted_by == CountedBy::ikbench
                                     ? base::counted(account.evaluations, "evaluations") + ", counted here"
                                 : account.counted_by == CountedBy::solver ? "own kinematics; its own count"
                                                                           : "own kinematics; it counts nothing";

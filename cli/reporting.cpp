@@ -66,7 +66,7 @@ std::vector<std::string> never_answering(const judge::StudyResults& study) {
   std::vector<std::string> labels;
   for (const std::string& label : study.labels) {
     const auto failed = [](const judge::SolveSummary& solve) {
-      return solve.status >= Status::crashed && solve.status <= Status::broke_protocol;
+      return solve.status >= Status::crashed && solve.status <= Status::protocol_error;
     };
     const judge::Solves all = study.of(label);
     if (!all.empty() && std::ranges::all_of(all, failed)) labels.push_back(label);

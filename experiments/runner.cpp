@@ -276,8 +276,7 @@ using Anomalies = std::map<std::string, std::set<std::string>>;
 void tidy(SolveRecord& solve, std::set<std::string>& odd) {
   if (solve.status == Status::not_finite)
     odd.insert("errors or answers are not finite, or have not one number for each joint");
-  if (solve.counted_by == CountedBy::nobody)
-    odd.insert("it did not ask the objective, so nobody counts its evaluations");
+  if (solve.counted_by == CountedBy::none) odd.insert("it did not ask the objective, so nobody counts its evaluations");
   const std::map<std::string, double> notes = std::exchange(solve.extras, {});
   for (const auto& [name, value] : notes) {
     const std::string cut(base::front(base::one_line(name), 200));

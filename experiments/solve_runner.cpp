@@ -212,7 +212,7 @@ SolveRecord SolveRunner::make_record(const SolveRequest& call, const TimedSolve&
       .answer_rad = to_vector(answer),
       .reached_position_m = to_vector(verified.reached),
       .position_error_cm = verified.position_error / centimetre,
-      .claimed_error_cm = (account != nullptr ? account->reported_error : solution.position_error) / centimetre,
+      .reported_error_cm = (account != nullptr ? account->reported_error : solution.position_error) / centimetre,
       .orientation_error = verified.orientation_error,
       .variation_deg = verified.joint_motion / degree,
       .largest_move_deg = verified.largest_move / degree,
@@ -221,18 +221,16 @@ SolveRecord SolveRunner::make_record(const SolveRequest& call, const TimedSolve&
       .iterations = solution.iterations,
       .stop_reason = stopped,
       .status = status,
-      .seconds = made.seconds,
+      .seconds = account != nullptr ? credible_report(*account).value_or(made.seconds) : made.seconds,
+      .wall_seconds = made.seconds,
       .cpu_seconds = made.cpu_seconds,
       .timing = timing_,
-      .repeats = account != nullptr ? account->batch_size : 1,
-      .smallest_seconds = made.seconds,
-      .largest_seconds = made.seconds,
+      .batch_size = account != nullptr ? account->batch_size : 1,
       .variation_m = verified.joint_motion_m,
       .limit_violation_m = verified.limit_violation_m,
-      .claimed_seconds = account != nullptr ? account->reported_seconds : std::numeric_limits<double>::quiet_NaN(),
       .counted_by = account != nullptr ? account->counted_by
-                    : is_counted       ? CountedBy::suite
-                                       : CountedBy::nobody,
+                    : is_counted       ? CountedBy::ikbench
+                                       : CountedBy::none,
       .restarts = solution.restarts,
       .extras = made.extras};
   if (arm_stays(status) && account != nullptr &&

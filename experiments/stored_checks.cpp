@@ -107,11 +107,11 @@ std::optional<SolverEntry> built_in(const Series& series) {
 // Returns true if a solve of the study may have spent this. Built-in solvers are stopped after each iteration. Others
 // stop themselves, but only programs count their own iterations.
 bool may_spend(const StopRule& stop, Kind kind, const SolveRecord& solve) {
-  if (solve.evaluations == 0 && solve.counted_by == CountedBy::suite) return false;
+  if (solve.evaluations == 0 && solve.counted_by == CountedBy::ikbench) return false;
   if (kind != Kind::program && solve.stop_reason == StopReason::iterations && solve.iterations != stop.iterations)
     return false;
   if (kind == Kind::ours)
-    return solve.counted_by == CountedBy::suite && solve.iterations <= stop.iterations &&
+    return solve.counted_by == CountedBy::ikbench && solve.iterations <= stop.iterations &&
            (solve.stop_reason != StopReason::evaluations || solve.evaluations >= stop.evaluations);
   return !is_sound(solve.status) ||
          !exceeds_budget({.evaluations = solve.evaluations, .iterations = solve.iterations}, stop);
@@ -167,7 +167,7 @@ void check(const StudyDefinition& study, const Robot& arm, Kind kind, const Solv
   if (!is_sound(solve.status) && solve.status != Status::invalid && solve.status != Status::limit_violated)
     return;                   // the answer is not stored: the arm stayed, or the reported error decided
   if (kind != Kind::program)  // a program may round, or have the arm from a file
-    expect("claimed_error_cm", solve, solve.claimed_error_cm, computed.position_error / centimetre, 2e-7);
+    expect("reported_error_cm", solve, solve.reported_error_cm, computed.position_error / centimetre, 2e-7);
   const auto status = [&](double rounding) {
     constexpr double least = std::numeric_limits<double>::min();  // 0 would be no tolerance
     const auto about = [&](double tolerance) { return tolerance > 0 ? std::max(tolerance + rounding, least) : 0; };

@@ -183,7 +183,7 @@ Status classify(const Verification& verified, const AcceptanceCriteria& requirem
       requirement.rotation_weight == 0 ||
       std::abs(pose_error(verified, requirement.rotation_weight) - requirement.reported_pose_error) <= rounding;
   const bool turned_wrong = requirement.orientation_is_exact && verified.orientation_error > rounding;
-  if (!claim_holds || !pose_claim_holds || turned_wrong) return Status::claimed_but_wrong;
+  if (!claim_holds || !pose_claim_holds || turned_wrong) return Status::misreported;
   if (verified.limit_violation > 0 || verified.limit_violation_m > 0)
     return requirement.limits_are_enforced ? Status::refused : Status::limit_violated;
   return requirement.stop.is_met(verified.position_error, verified.angle, rounding) ? Status::ok

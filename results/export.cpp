@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <stdexcept>
 #include <type_traits>
 
@@ -39,11 +40,14 @@ void append(std::string& text, const Value& value) {
   }
 }
 
+constexpr std::array<std::string_view, 4> lists_of_any_length{"trace_cm", "improved_at", "improved_to_cm",
+                                                              "all_answers_rad"};
+
 // Calls visit(name, member) for each column of CSV: all but the lists that only the store has.
 template <class Visit>
 void for_each_csv_column(Visit&& visit) {
   for_each_column([&](std::string_view name, auto member, std::string_view) {
-    if (name != "trace_cm" && name != "improved_at" && name != "improved_to_cm") visit(name, member);
+    if (std::ranges::count(lists_of_any_length, name) == 0) visit(name, member);
   });
 }
 
@@ -90,7 +94,7 @@ void append_row(std::string& text, const SolveRecord& record, const Widths& widt
       }
       text.append(*width - value.size(), ',');
     } else {
-      if (name != "evaluations" || record.counted_by != CountedBy::nobody) append(text, value);
+      if (name != "evaluations" || record.counted_by != CountedBy::none) append(text, value);
       text += ',';
     }
     ++width;

@@ -38,8 +38,8 @@ Store opened(const fs::path& place) {
 // The parts of a definition that may differ between two stores: how a study is judged and drawn, which targets are
 // unreachable, how often it is run; what follows from other parts; and what the keys of series compare, such as how
 // programs are started.
-const std::set<std::string> decide_no_solve{"analysis",  "departures", "figures", "name",   "out_of_reach", "solvers",
-                                            "published", "repeats",    "runs",    "tables", "title",        "turns"};
+const std::set<std::string> decide_no_solve{"analysis", "departures", "figures", "name",  "unreachable_targets",
+                                            "solvers",  "published",  "runs",    "title", "turns"};
 
 // Links by which an arm was chosen: the arm has those that were taken, whether they were named or found.
 const std::set<std::string> settled_in_arm{"urdf.base", "urdf.tip"};

@@ -21,44 +21,40 @@ namespace ikbench::results {
 
 using numerics::StopReason;
 
-// The verifier's judgement of an answer. It is the first that applies of not_finite, claimed_but_wrong, refused,
+// The verifier's judgement of an answer. It is the first that applies of not_finite, misreported, refused,
 // limit_violated, tolerance_missed, ok; the study's own check may turn ok into invalid. From crashed on there was no
 // answer in time: the arm stays where it was, and the record's answer is that place.
 enum class Status : std::uint8_t {
-  ok,                 // within the tolerance, if there is one
-  invalid,            // within the tolerance, but the study's own check refuses it
-  tolerance_missed,   // farther off than the tolerance
-  limit_violated,     // a joint is outside its limits, which the study only records
-  refused,            // a joint is outside its limits, which the study enforces: the arm stays
-  claimed_but_wrong,  // the solver reports another error than its answer has
-  not_finite,         // the answer is not finite, or sines differ from the C library's
-  crashed,            // the program ended, could not be started, or was given up
-  timed_out,          // the program did not answer within its patience
-  broke_protocol,     // the program's message broke the protocol
-  declined,           // the program says that it cannot solve this
-  over_budget         // a program or library took far more time or evaluations than the study gives
+  ok,                // within the tolerance, if there is one
+  invalid,           // within the tolerance, but the study's own check refuses it
+  tolerance_missed,  // farther off than the tolerance
+  limit_violated,    // a joint is outside its limits, which the study only records
+  refused,           // a joint is outside its limits, which the study enforces: the arm stays
+  misreported,       // the solver reports another error than its answer has
+  not_finite,        // the answer is not finite, or sines differ from the C library's
+  crashed,           // the program ended, could not be started, or was given up
+  timed_out,         // the program did not answer within its patience
+  protocol_error,    // the program's message broke the protocol
+  declined,          // the program says that it cannot solve this
+  over_budget        // a program or library took far more time or evaluations than the study gives
 };
 
 // The circumstances in which a solve was timed. Only `clean` times can be compared, and `process` ones, those of
 // another program, which include its messages. `batch`: the time of a batch divided by its size, wherever it was
-// solved.
-enum class Timing : std::uint8_t { clean, parallel, debug_build, process, batch };
+// solved. `elsewhere`: the answer was made outside this program, which timed nothing.
+enum class Timing : std::uint8_t { clean, parallel, debug_build, process, batch, elsewhere };
 
-// The side that counted the evaluations: ikbench (`suite`), the solver itself, or nobody.
-enum class CountedBy : std::uint8_t { suite, solver, nobody };
+// The side that counted the evaluations: ikbench, the solver itself, or none.
+enum class CountedBy : std::uint8_t { ikbench, solver, none };
 
 constexpr std::array<std::string_view, 12> names_of(Status) {
-  return {"ok",         "invalid", "tolerance_missed", "limit_violated", "refused",  "claimed_but_wrong",
-          "not_finite", "crashed", "timed_out",        "broke_protocol", "declined", "over_budget"};
+  return {"ok",         "invalid", "tolerance_missed", "limit_violated", "refused",  "misreported",
+          "not_finite", "crashed", "timed_out",        "protocol_error", "declined", "over_budget"};
 }
-constexpr std::array<std::string_view, 5> names_of(Timing) {
-  return {"clean", "parallel", "debug_build", "process", "batch"};
+constexpr std::array<std::string_view, 6> names_of(Timing) {
+  return {"clean", "parallel", "debug_build", "process", "batch", "elsewhere"};
 }
-constexpr std::array<std::string_view, 3> names_of(CountedBy) { return {"suite", "solver", "nobody"}; }
-
-// Returns the smallest credible time [s] that a program may report of a solve that used `cpu_seconds`. It allows two
-// threads and 1 ms for messages. A smaller report is ignored.
-constexpr double min_credible_seconds(double cpu_seconds) { return cpu_seconds / 2.2 - 0.001; }
+constexpr std::array<std::string_view, 3> names_of(CountedBy) { return {"ikbench", "solver", "none"}; }
 
 // Returns true if the solver gave no answer within its budget.
 constexpr bool has_no_answer(Status status) { return status >= Status::crashed; }
@@ -107,9 +103,10 @@ inline std::string wrong_number(const SolveRecord& solve) {
   for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*member, std::string_view) {
     if constexpr (std::is_arithmetic_v<Value>) {
       const auto value = static_cast<double>(solve.*member);
-      const bool is_below = value < 0 && name != "claimed_error_cm";
+      const bool is_below = value < 0 && name != "reported_error_cm";
+      const bool is_wall_time = name == "seconds" || name == "wall_seconds";
       const bool is_no_time = name.ends_with("seconds") && std::isinf(value);
-      if (found.empty() && (is_below || is_no_time || (name == "seconds" && value == 0)))
+      if (found.empty() && (is_below || is_no_time || (is_wall_time && value == 0)))
         found = fmt::format("{} is {}", name, value);
     }
   });

@@ -67,7 +67,7 @@ std::string create_views() {
       "CREATE VIEW run_means AS SELECT study, label, run, count(*) AS solves, "
       "avg(status = 'ok') AS solved, avg(position_error_cm) AS position_error_cm, "
       "avg(orientation_error) AS orientation_error, avg(variation_deg) AS variation_deg, avg(seconds) AS seconds, "
-      "avg(iif(counted_by = 'nobody', NULL, evaluations)) AS evaluations "
+      "avg(iif(counted_by = 'none', NULL, evaluations)) AS evaluations "
       "FROM current_solves GROUP BY study, label, run;\n",
       columns);
 }

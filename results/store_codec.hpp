@@ -19,7 +19,7 @@ struct CorruptValue : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-constexpr std::int64_t store_version = 3;
+constexpr std::int64_t store_version = 4;
 
 // Returns the names of the columns, or these with their SQL types, separated by commas.
 std::string solve_columns();

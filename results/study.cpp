@@ -75,7 +75,7 @@ StudyDefinition parse_definition(std::string_view json) {
   if (!all.is_object()) throw std::invalid_argument("the definition of a study is no JSON object");
   const toml::table table = base::toml_of(all);
   base::TomlReader reader(table, fmt::format("study {}", table["name"].value_or("without a name")), "");
-  base::TomlReader path = reader.part("path"), stop = reader.part("stop"), reach = reader.part("out_of_reach"),
+  base::TomlReader path = reader.part("path"), stop = reader.part("stop"), reach = reader.part("unreachable_targets"),
                    figures = reader.part("figures"), colours = figures.part("colours"),
                    analysis = reader.part("analysis"), arm = reader.part("arm"), loop = reader.part("loop"),
                    check = reader.part("check");

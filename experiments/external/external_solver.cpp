@@ -23,7 +23,7 @@ namespace {
 constexpr int most_failures_in_a_row = 3;
 
 Status status_of(ProcessFailure::Kind kind) {
-  constexpr Status as_kinds[]{Status::crashed, Status::timed_out, Status::broke_protocol, Status::declined};
+  constexpr Status as_kinds[]{Status::crashed, Status::timed_out, Status::protocol_error, Status::declined};
   return as_kinds[static_cast<std::size_t>(kind)];
 }
 
@@ -61,7 +61,17 @@ double told_seconds(const Message& message, double passed) {
   return told == 0 ? std::nan("") : told;  // no clock tells so little
 }
 
+// Returns the smallest time [s] that a program can have taken that used `cpu_seconds`, with two threads and 1 ms for
+// messages.
+constexpr double min_credible_seconds(double cpu_seconds) { return cpu_seconds / 2.2 - 0.001; }
+
 }  // namespace
+
+std::optional<double> credible_report(const ProcessReport& account) {
+  const bool is_credible =
+      account.cpu_seconds > 0 && account.reported_seconds >= min_credible_seconds(account.cpu_seconds);
+  return is_credible ? std::optional(account.reported_seconds) : std::nullopt;
+}
 
 double credible_seconds(const ProcessReport& account, double wall) {
   const double told = account.reported_seconds;
@@ -294,11 +304,11 @@ void ExternalSolver::exchange_solve(const Problem& problem, Objective& objective
 
 void ExternalSolver::set_evaluations(std::int64_t ours, std::int64_t own, bool is_explained, double best) {
   if (is_explained && own <= ours) {
-    report_.counted_by = CountedBy::suite;
+    report_.counted_by = CountedBy::ikbench;
     report_.evaluations = ours;
     if (report_.improved.at.back() < ours) report_.improved.add(ours, best);
   } else {
-    report_.counted_by = own >= 0 ? CountedBy::solver : CountedBy::nobody;
+    report_.counted_by = own >= 0 ? CountedBy::solver : CountedBy::none;
     report_.evaluations = own >= 0 ? std::max(ours, own) : 0;
     report_.trace.clear();
     report_.improved = {};

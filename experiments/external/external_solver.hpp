@@ -25,9 +25,9 @@ struct ProcessReport {
   double cpu_seconds = 0;  // of the program
   solvers::StopReason stopped = solvers::StopReason::finished;
   bool ignored_budget = false;  // it asked for more evaluations after it was told that its budget is used up
-  // Who counted the evaluations. Not `suite` if the answer is none of the candidates evaluated here, or too few were
+  // Who counted the evaluations. Not `ikbench` if the answer is none of the candidates evaluated here, or too few were
   // evaluated to find it: then the program has its own kinematics, and `evaluations` is its own count.
-  results::CountedBy counted_by = results::CountedBy::nobody;
+  results::CountedBy counted_by = results::CountedBy::none;
   std::int64_t evaluations = 0, iterations = 0;
   std::vector<double> trace = {};  // errors of the evaluations made here, as in Solution
   solvers::Improvements improved = {};
@@ -37,6 +37,8 @@ struct ProcessReport {
   double seconds = 0;  // [s] of the wall time of a batch
 };
 
+// Returns the time [s] that a program reports, if its processor time is known and leaves room for the report.
+std::optional<double> credible_report(const ProcessReport& account);
 // Returns the time [s] that a program took: its self-reported one, or its processor time if that leaves no room for the
 // report; `wall` if it reports nothing.
 double credible_seconds(const ProcessReport& account, double wall);

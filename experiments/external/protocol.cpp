@@ -71,7 +71,7 @@ Message::Message(std::string line) : line_(std::move(line)), json_(std::make_sha
 }
 
 void Message::fail(const std::string& expected) const {
-  throw ProcessFailure{ProcessFailure::Kind::broke_protocol,
+  throw ProcessFailure{ProcessFailure::Kind::protocol_error,
                        fmt::format("it wrote {}; expected {}", base::one_line(front(line_, 200)), expected)};
 }
 

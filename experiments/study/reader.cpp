@@ -241,10 +241,6 @@ Study read_study(const toml::table& table, std::string_view source, const ArmOfS
     refuse_unknown(reader, "published", "paper", study.published, {papers.begin(), papers.end()});
   if (!table.contains("robot"))
     throw reader.mistake("robot", "robot is missing; expected the name of an arm (ikbench list robots) or its file");
-  if (reader.find("repeats") != nullptr)
-    throw reader.mistake("repeats",
-                         "no solve is timed several times any more: each is one call, and times are compared over "
-                         "sessions; expected no repeats, and turns for more sessions");
   study.path = read_path(PathReader(reader.part("path")));
   if (reader.find("urdf") != nullptr && !is_urdf_file(study.robot))
     throw reader.mistake("urdf", fmt::format("[urdf] is about a URDF file, but robot is \"{}\"; expected one such as "

@@ -343,7 +343,7 @@ std::string to_json(const Study& study) {
   json["arm"] = arm_definition(robot_of(study));
   const std::optional<Study> original = original_of(study);
   json["departures"] = original ? departures(study, *original) : std::vector<std::string>();
-  if (const auto beyond = unreachable_targets(study).size(); beyond > 0) json["out_of_reach"]["points"] = beyond;
+  if (const auto beyond = unreachable_targets(study).size(); beyond > 0) json["unreachable_targets"]["points"] = beyond;
   return base::text_of(json);
 }
 

@@ -29,9 +29,9 @@ for arm in franka_panda kuka_iiwa14 ur5e; do
       iif(before = label, '', strftime('%m/%Y', began)), run, iif(status = 'ok', '', status),
       iif(stays, '', round(position_error_cm * 1e4, 3)), iif(stays, '', round(2e6 * asin(orientation_error * sqrt(0.375)), 3)),
       iif(stays, '', round(variation_deg, 1)), iif(us < 100, round(us, 2), cast(round(us) AS int)),
-      iif(counted_by = 'suite', evaluations, '')
-    FROM (SELECT *, status IN ('crashed', 'timed_out', 'broke_protocol', 'declined', 'over_budget') AS stays,
-      1e6 * coalesce(claimed_seconds, cpu_seconds) AS us, lag(label) OVER (ORDER BY label, run) AS before,
+      iif(counted_by = 'ikbench', evaluations, '')
+    FROM (SELECT *, status IN ('crashed', 'timed_out', 'protocol_error', 'declined', 'over_budget') AS stays,
+      1e6 * iif(seconds <> wall_seconds, seconds, cpu_seconds) AS us, lag(label) OVER (ORDER BY label, run) AS before,
       sum(status <> 'declined') OVER (PARTITION BY label) AS answers FROM current_solves WHERE $arms AND robot = '$arm')
       JOIN sessions ON sessions.id = session
     WHERE answers > 0 ORDER BY label, run" | sed 's/""//g' >>"$out/$arm.csv"

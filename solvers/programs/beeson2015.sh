@@ -12,5 +12,5 @@ for arm in abb_irb120 abb_yumi_left atlas_2013_left atlas_2015_left baxter_left 
 done
 machine="$(nproc) cores of an $(sed -n 's/^model name\t*: //p' /proc/cpuinfo | head -1)"
 sqlite3 -csv -header $out/programs/store.sqlite "SELECT robot, label AS solver, count(*) AS n, sum(status = 'ok') AS solved,
-  printf('%.3f', 500 * avg(claimed_seconds)) AS mean_ms, 'pytracik 0.0.3' AS program, '$machine' AS machine,
+  printf('%.3f', 500 * avg(seconds)) AS mean_ms, 'pytracik 0.0.3' AS program, '$machine' AS machine,
   date('now') AS day FROM current_solves GROUP BY robot" | tr -d '\r' >$out/programs.csv

@@ -18,7 +18,7 @@ done
 sqlite3 -readonly -header -markdown "$out/store.sqlite" "WITH tries AS (
     SELECT label, substr(label, 1, instr(label, '=') - 1) AS library, cast(substr(label, instr(label, '=') + 1) AS int) AS steps,
       sum(study <> 'circle' AND status = 'ok') AS solved, sum(study = 'circle' AND status <> 'ok') AS lost,
-      1000 * avg(iif(study <> 'circle', coalesce(claimed_seconds, cpu_seconds), NULL)) AS ms,
+      1000 * avg(iif(study <> 'circle', iif(seconds <> wall_seconds, seconds, cpu_seconds), NULL)) AS ms,
       avg(iif(study = 'circle' AND point > 0, variation_deg, NULL)) AS motion
     FROM current_solves GROUP BY label),
   ranked AS (SELECT *, row_number() OVER (PARTITION BY library ORDER BY lost > 0 OR

@@ -4,7 +4,7 @@
 -- its thread.
 WITH placed AS (
   SELECT robot, label, state, ms, percent_rank() OVER (PARTITION BY robot, label, state ORDER BY ms) AS place FROM (
-    SELECT s.robot, label, json_extract(definition, '$.state') AS state, 1000 * coalesce(claimed_seconds, cpu_seconds) AS ms
+    SELECT s.robot, label, json_extract(definition, '$.state') AS state, 1000 * iif(seconds <> wall_seconds, seconds, cpu_seconds) AS ms
     FROM current_solves AS s JOIN studies ON studies.name = s.study
     AND studies.name LIKE :study || '-' || s.robot || '%' WHERE status <> 'declined')),
 cells AS (

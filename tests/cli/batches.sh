@@ -23,9 +23,9 @@ json 'any("a debug build" in doubt or "batch" in doubt and "in batches" in doubt
 equal "times of a batch" "$(grep '^one' both/tables/batches.csv)" "one,1,5.0,5.0"
 equal "timing" "$(column both/store.sqlite timing batch | counted)" "16 batch"
 succeeds run both.toml --no-report --out whole
-equal "sizes" "$(column whole/store.sqlite repeats batch | counted | paste -sd' ')" "1 1 15 5"
-equal "sizes" "$(column whole/store.sqlite repeats large | counted | paste -sd' ')" "16 16"
-equal "its own time, divided" "$(column whole/store.sqlite claimed_seconds batch | sort -u)" 0.005
+equal "sizes" "$(column whole/store.sqlite batch_size batch | counted | paste -sd' ')" "1 1 15 5"
+equal "sizes" "$(column whole/store.sqlite batch_size large | counted | paste -sd' ')" "16 16"
+equal "its own time, divided" "$(column whole/store.sqlite seconds batch | sort -u)" 0.005
 
 # Shares of machines, two at once, and a stop in the middle of a batch: the same solves.
 for shard in 1/2 2/2; do succeeds run both.toml --no-report --shard $shard --out shards/${shard%/*}; done
@@ -47,20 +47,20 @@ left=$(column stopped/store.sqlite status sleeps | wc -l)
 ((left < 16 && left % 3 == 0)) || fail "$left solves of a batch of 3 are stored"
 succeeds run stops.toml --no-report --out stopped
 same_fingerprint stopped/store.sqlite straight/store.sqlite
-equal "sizes after a stop" "$(column stopped/store.sqlite repeats sleeps | counted | paste -sd' ')" "1 1 15 3"
+equal "sizes after a stop" "$(column stopped/store.sqlite batch_size sleeps | counted | paste -sd' ')" "1 1 15 3"
 
 # Each fault is of one message, the second: whoever gives the others' answers loses none.
 batches faults "$(of few "one too few" 5)" "$(of many "one too many" 5)" "$(of order "another order" 5)" \
   "$(of list "no list" 5)" "$(of year "seconds of a year" 5)" "$(of asks "a question" 5)" "$(of null "a null" 5)" \
   "$(of declines "declines one" 5)" "$(of falls falls 5)" "$(of never never 5 2)" "$(of stops "stops its parent" 5 2)" "$(of always "always falls" 5)" "$(of wrong "three wrong" 5)"
 succeeds run faults.toml --no-report --out faults
-for label in few many order list year asks; do is faults $label "(5 broke_protocol $any|${any}5 broke_protocol.*)"; done
+for label in few many order list year asks; do is faults $label "(5 protocol_error $any|${any}5 protocol_error.*)"; done
 is faults null ".*1 not_finite.*"
 is faults declines "1 declined $any"
 is faults falls "5 crashed $any"
 for label in never stops; do is faults $label "${any}5 timed_out"; done
 is faults always "16 crashed"
-equal "wrong answers of a message" "$(column faults/store.sqlite status wrong | grep -c broke_protocol)" 3
+equal "wrong answers of a message" "$(column faults/store.sqlite status wrong | grep -c protocol_error)" 3
 equal "of whom the others keep their time" "$(column faults/store.sqlite seconds wrong | grep -c NaN || true)" 0
 equal "solves with a time, before it is given up" "$(column faults/store.sqlite seconds always | grep -vc NaN)" 10
 err=$(tr -s '\n ' ' ' <.err)

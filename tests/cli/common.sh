@@ -89,7 +89,7 @@ small=(--set runs=2 --set path.points=3 --set stop.iterations=5 --set population
 # program to the next.
 numbers() {
   "$program" export "$1" ${2:+--study "$2"} | awk -F, '
-    NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^((cpu_|smallest_|largest_)?seconds|repeats|timing|session)$/) timed[i] = 1 }
+    NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^((cpu_|wall_)?seconds|batch_size|timing|session)$/) timed[i] = 1 }
     { for (i = 1; i <= NF; ++i) if (!(i in timed)) printf "%s,", $i; print "" }' || fail "cannot export $1"
 }
 

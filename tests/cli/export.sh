@@ -55,7 +55,7 @@ for folder in made near numpy; do
   has "$out" "starts from the seed"
   [[ $(tail -n 1 .out) =~ $sealed ]] || fail "no line to cite: $out"
 done
-succeeds verify "$root/tests/data/version-3.sqlite"
+succeeds verify "$root/tests/data/version-4.sqlite"
 edited() { # WORD SQL
   cp near/store.sqlite edited.sqlite
   sqlite3 edited.sqlite "$2"

@@ -9,8 +9,8 @@ solves = {(solve["label"], solve["point"], solve["run"]): solve
 assert len(solves) == len(rows) == 36
 for row in rows:
     solve = solves[row["label"], int(row["point"]), int(row["run"])]
-    for name in ("position_error_cm", "claimed_error_cm", "variation_deg", "seconds"):
+    for name in ("position_error_cm", "reported_error_cm", "variation_deg", "seconds"):
         assert solve[name] == float(row[name]), name
     assert json.loads(solve["answer_rad"]) == [float(row[f"answer_rad_{joint}"]) for joint in range(1, 8)]
     assert len(json.loads(solve["trace_cm"])) == solve["iterations"] == 5
-    assert abs(solve["position_error_cm"] - solve["claimed_error_cm"]) < 1e-7
+    assert abs(solve["position_error_cm"] - solve["reported_error_cm"]) < 1e-7

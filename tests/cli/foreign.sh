@@ -35,17 +35,17 @@ for label in good noise null on; do is faults $label "$any"; done
 for label in hangs stops; do is faults $label ".*1 timed_out"; done
 is faults dies "1 crashed $any"
 is faults eats "[12] crashed $any"
-is faults lies "16 claimed_but_wrong"
+is faults lies "16 misreported"
 is faults warms "$any"
-for label in nonsense deep json twice again names; do is faults $label ".*[0-9]+ broke_protocol.*"; done
+for label in nonsense deep json twice again names; do is faults $label ".*[0-9]+ protocol_error.*"; done
 is faults declines "16 declined"
-is faults years "16 broke_protocol"
+is faults years "16 protocol_error"
 equal "errors beside noise" "$(column $store position_error_cm noise)" "$(column $store position_error_cm good)"
-equal "counted by" "$(column $store counted_by good | counted)" "16 nobody"
+equal "counted by" "$(column $store counted_by good | counted)" "16 none"
 equal "evaluations that nobody counted" "$(column $store evaluations good | tr -d '\n')" ""
 [[ $(column $store timing good | counted) =~ ^16\ (process|debug_build)$ ]] || fail "$(column $store timing good | counted)"
 equal "moves of solves without an answer" "$(sqlite3 $store "SELECT count(*) FROM solves WHERE
-  status IN ('crashed', 'timed_out', 'broke_protocol', 'declined') AND start_rad <> answer_rad")" 0
+  status IN ('crashed', 'timed_out', 'protocol_error', 'declined') AND start_rad <> answer_rad")" 0
 ends 3 run faults.toml --figures none --out faults --json # since some answer in no solve
 [[ $err == *"years gave no answer in any solve"* ]] || fail "not told: $err"
 equal "solves of a second run" "$(solves $store)" 304
@@ -93,7 +93,7 @@ study many '[[solvers]]' 'label = "many"' 'process = ["python3", "many.py"]' \
   "$(entry once "asks once")" "$(entry first "asks at first")"
 succeeds run many.toml --set stop.evaluations=100 --no-report --out many
 equal evaluations "$(column many/store.sqlite evaluations many | counted)" "16 100"
-for who in "many suite" "once nobody" "first nobody"; do
+for who in "many ikbench" "once none" "first none"; do
   [[ $(column many/store.sqlite counted_by ${who% *} | counted) =~ ^1[0-9]\ ${who#* } ]] || fail "not counted by: $who"
 done
 
@@ -174,7 +174,7 @@ study several "$(entry several several)" "$(entry text "a text")"
 succeeds run several.toml --figures none --out several
 is several several "16 ok"
 equal "moves of the nearest answer" "$(column several/store.sqlite variation_deg several | counted)" "16 0"
-is several text ".*[0-9]+ broke_protocol.*"
+is several text ".*[0-9]+ protocol_error.*"
 equal "extras" "$(sqlite3 several/store.sqlite "SELECT name, count(*), min(value), max(value) FROM extras GROUP BY name" | paste -sd' ')" \
   "answers|16|4.0|4.0 nothing|16|| restarts|16|3.0|3.0"
 equal "extras as CSV" "$(column several/store.sqlite extra_restarts several | counted)" "16 3"

@@ -46,8 +46,8 @@ sed 's/^process = .*/&\noptions = { w = 0.5 }/' mine.toml >changed.toml
 succeeds run changed.toml --figures none --out changed
 quoted
 # A store of version 3 as the first program of that version wrote it: every later one reads it.
-succeeds report "$root/tests/data/version-3.sqlite" --figures none --out years
-golden version-3 years/results.json
+succeeds report "$root/tests/data/version-4.sqlite" --figures none --out years
+golden version-4 years/results.json
 # Without gnuplot one line says so, there and on the page, and all else is there.
 PATH=/nowhere "$program" report mine/store.sqlite --out bare >.out 2>.err || fail "without gnuplot: $(<.err)"
 equal "lines without gnuplot" "$(grep -c gnuplot .err)" 1

@@ -61,13 +61,12 @@ std::map<std::int64_t, std::map<std::string, std::set<std::pair<int, int>>>> pla
 TEST_CASE("a solve is one timed call, and says under what circumstances its time was taken", "[clock]") {
   const Timing alone = is_debug_build() ? Timing::debug_build : Timing::clean;
   const Timing together = is_debug_build() ? Timing::debug_build : Timing::parallel;
-  for (const SolveRecord& solve : planned_solve_count(small_study(), 2)) CHECK(solve.timing == together);
-  for (const SolveRecord& solve : planned_solve_count(small_study())) {
+  for (const SolveRecord& solve : solve_all(small_study(), 2)) CHECK(solve.timing == together);
+  for (const SolveRecord& solve : solve_all(small_study())) {
     CHECK(solve.timing == alone);
-    CHECK(solve.repeats == 1);
+    CHECK(solve.batch_size == 1);
     CHECK(solve.seconds > 0);
-    CHECK(solve.smallest_seconds == solve.seconds);
-    CHECK(solve.largest_seconds == solve.seconds);
+    CHECK(solve.wall_seconds == solve.seconds);
     CHECK(solve.cpu_seconds > 0);
   }
 }

@@ -32,9 +32,20 @@ TEST_CASE("the clock of a program's solve runs before the program does", "[forei
   for (const results::SolveRecord& solve : solves) {
     CHECK(solve.status == results::Status::ok);
     CHECK(solve.cpu_seconds > 1e-4);
-    CHECK(std::isnan(solve.claimed_seconds));  // no clock tells 0
+    CHECK(solve.seconds == solve.wall_seconds);  // no clock tells 0
     CHECK(solve.seconds >= solve.cpu_seconds);
   }
+}
+
+TEST_CASE("a program's own time is believed if its processor time leaves room for it", "[external]") {
+  const auto believed = [](double reported, double cpu) {
+    return credible_report({.cpu_seconds = cpu, .reported_seconds = reported});
+  };
+  CHECK(believed(0.01, 0.0105) == 0.01);
+  CHECK(believed(0.01, 0.022) == 0.01);  // two threads
+  CHECK(!believed(0.01, 0.05));          // more threads, or too short a report
+  CHECK(!believed(0.01, 0));             // its processor time is not known
+  CHECK(!believed(std::nan(""), 0.01));  // it reports nothing
 }
 
 TEST_CASE("one solve of an entry with batches is a batch of one, with the same answer", "[foreign]") {
@@ -53,7 +64,7 @@ TEST_CASE("one solve of an entry with batches is a batch of one, with the same a
   CHECK(of_batch.status == alone.status);
   CHECK(same(of_batch.answer_rad, alone.answer_rad));
   CHECK(of_batch.timing == Timing::batch);
-  CHECK(of_batch.repeats == 1);
+  CHECK(of_batch.batch_size == 1);
 }
 
 TEST_CASE("candidates are numbers as JSON writes them", "[foreign]") {
@@ -61,7 +72,7 @@ TEST_CASE("candidates are numbers as JSON writes them", "[foreign]") {
     try {
       return Message(R"({"message":"evaluate","candidates":[[1,2],[3,)" + number + "]]}").candidates(2).size() == 4;
     } catch (const ProcessFailure& trouble) {
-      return trouble.kind != ProcessFailure::Kind::broke_protocol;
+      return trouble.kind != ProcessFailure::Kind::protocol_error;
     }
   };
   for (const char* number : {"0", "-0.5", "1e-3", "1E5", "12345678901234567890", "0.1000000000000000055", "1e-400"})

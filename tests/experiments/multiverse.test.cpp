@@ -100,7 +100,7 @@ TEST_CASE("the parts of a plan have the means of their runs, by any number of jo
     CHECK(again[i].error_cm == means[i].error_cm);
     CHECK(again[i].variation_deg == means[i].variation_deg);
     SeriesMeans by_hand{std::vector<double>(3), std::vector<double>(3)};
-    for (const SolveRecord& solve : planned_solve_count(parts[i])) {
+    for (const SolveRecord& solve : solve_all(parts[i])) {
       const auto value = static_cast<std::size_t>(solve.run) - 1;
       double squares = 0;
       for (std::size_t j = 0; j < 7; ++j) squares += std::pow((solve.answer_rad[j] - solve.start_rad[j]) / degree, 2);

@@ -112,17 +112,17 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
   const std::string finite = "not finite", cut = "are cut";
   const std::vector<Odd> all{{"step", nothing, Status::ok},
                              {"finished", nothing, Status::ok},
-                             {"", nothing, Status::claimed_but_wrong, "nobody counts", "", false},
+                             {"", nothing, Status::misreported, "nobody counts", "", false},
                              {"step", fill(not_a_number), Status::not_finite, finite},
                              {"step", fill(infinity), Status::not_finite, finite},
                              {"step", fill(1e308), Status::not_finite, finite},
-                             {"step", fill(100), Status::claimed_but_wrong},
-                             {"step", fill(-100), Status::claimed_but_wrong},
-                             {"step", claim(1e308), Status::claimed_but_wrong},
+                             {"step", fill(100), Status::misreported},
+                             {"step", fill(-100), Status::misreported},
+                             {"step", claim(1e308), Status::misreported},
                              {"step", claim(not_a_number), Status::not_finite, finite},
                              {"start", claim(infinity), Status::not_finite, finite},
-                             {"step", claim(0), Status::claimed_but_wrong},
-                             {"step", claim(-1), Status::claimed_but_wrong},
+                             {"step", claim(0), Status::misreported},
+                             {"step", claim(-1), Status::misreported},
                              {"step", resize(0), Status::not_finite, finite},
                              {"start", resize(6), Status::not_finite, finite},
                              {"step", resize(10), Status::not_finite, finite},
@@ -159,7 +159,7 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
       CHECK(same_numbers(only("RS", solves), neighbours));
       REQUIRE(odd.size() == 4);
       CHECK(odd[2].status == status);
-      CHECK((odd[2].counted_by == CountedBy::suite) == asks);
+      CHECK((odd[2].counted_by == CountedBy::ikbench) == asks);
       for (const std::string& name : store.extra_names(stored)) CHECK(is_plain(name));
       CHECK(store.extra_names(stored).empty() == noted.empty());
       if (noted == "stalls")

@@ -37,10 +37,10 @@ Pose at(double x, double y, double z) {
 // ---- the same numbers ---------------------------------------------------------------------------------------------
 
 TEST_CASE("adding, removing and reordering solvers changes no other solver's numbers", "[runner]") {
-  const std::vector<SolveRecord> three = planned_solve_count(small_study());
+  const std::vector<SolveRecord> three = solve_all(small_study());
   Study study = small_study();
   study.solvers = {{"DE", "differential_evolution", {}}, {"new", "ik_bat", {}}, {"IK-BA", "ik_bat", {}}};
-  const std::vector<SolveRecord> others = planned_solve_count(study);
+  const std::vector<SolveRecord> others = solve_all(study);
   CHECK(same_numbers(only("DE", others), only("DE", three)));
   CHECK(same_numbers(only("IK-BA", others), only("IK-BA", three)));
   // Another label is another stream.
@@ -97,7 +97,7 @@ TEST_CASE("running again does nothing", "[runner]") {
 }
 
 TEST_CASE("a run that is stopped anywhere and continued gives what an uninterrupted one gives", "[runner]") {
-  const std::vector<SolveRecord> uninterrupted = planned_solve_count(small_study());
+  const std::vector<SolveRecord> uninterrupted = solve_all(small_study());
   for (const std::int64_t solves : {1, 3, 5, 12, 23}) {
     INFO(solves);
     ScratchStore scratch;
@@ -123,7 +123,7 @@ TEST_CASE("parallel jobs stop soon after they are asked to, and what they did st
   CHECK(stopped.done < stopped.total);
   CHECK(scratch.solves("small").size() == static_cast<std::size_t>(stopped.done));
   run(small_study(), scratch, {});
-  CHECK(same_numbers(scratch.solves("small"), planned_solve_count(small_study())));
+  CHECK(same_numbers(scratch.solves("small"), solve_all(small_study())));
 }
 
 TEST_CASE("what fails where solves are taken is told, ends the work, and what was taken before stays", "[runner]") {
@@ -139,7 +139,7 @@ TEST_CASE("what fails where solves are taken is told, ends the work, and what wa
     CHECK(kept >= 5);
     CHECK(kept < 120'000);
     CHECK(run(small_study(), scratch, {}).done == 24);
-    CHECK(same_numbers(scratch.solves("small"), planned_solve_count(small_study())));
+    CHECK(same_numbers(scratch.solves("small"), solve_all(small_study())));
 
     int taken = 0;
     const auto refuse = [&](const SolveRecord&) {
@@ -153,7 +153,7 @@ TEST_CASE("what fails where solves are taken is told, ends the work, and what wa
 
 TEST_CASE("a study is solved without a store to the same numbers, the points of a run in their order", "[runner]") {
   const Study study = study_of_every_solver();
-  const std::vector<SolveRecord> stored = planned_solve_count(study);
+  const std::vector<SolveRecord> stored = solve_all(study);
   for (const int jobs : {1, 2, 4}) {
     std::map<std::pair<std::string, int>, std::vector<SolveRecord>> taken;
     solve_without_store(study, jobs, [&](SolveRecord record) {
@@ -189,10 +189,10 @@ TEST_CASE("of a changed study only what the store lacks is solved, and what it n
     const Progress again = run(study, scratch, {});
     CHECK(again.total == total);
     CHECK(again.reused == reused);
-    CHECK(same_numbers(scratch.solves(study.name), planned_solve_count(study)));
+    CHECK(same_numbers(scratch.solves(study.name), solve_all(study)));
     CHECK(scratch.studies().size() == (study.name == "small" ? 1 : 2));
     CHECK(run(small_study(), scratch, {}).reused == 24);
-    CHECK(same_numbers(scratch.solves("small"), planned_solve_count(small_study())));
+    CHECK(same_numbers(scratch.solves("small"), solve_all(small_study())));
   };
   check(36, 24, [](Study& study) { study.runs = 3; });
   check(12, 12, [](Study& study) { study.runs = 1; });
@@ -212,14 +212,14 @@ TEST_CASE("solves of other source are left aside and solved anew", "[runner]") {
   };
   ScratchStore scratch;
   StoredStudy entry = to_stored(study);
-  std::vector<SolveRecord> records = planned_solve_count(study);
+  std::vector<SolveRecord> records = solve_all(study);
   for (SolveRecord& record : records) of_other_source(record.series);
   for (Series& series : entry.series) of_other_source(series.key);
   scratch.save_study(entry);
   scratch.append(records);
   CHECK(scratch.solves("small").size() == 24);  // reports read them
   CHECK(run(study, scratch, {}).reused == 0);
-  CHECK(same_numbers(scratch.solves("small"), planned_solve_count(study)));
+  CHECK(same_numbers(scratch.solves("small"), solve_all(study)));
   CHECK(series_of(scratch, entry.series[0].key).size() == 8);  // they stay
 }
 
@@ -240,7 +240,7 @@ TEST_CASE("a run whose study another process replaces is refused, keeps its solv
     CHECK_THAT(said, ContainsSubstring("run this one again for its report"));
     CHECK(store.study("small").definition.json == to_json(other));
     CHECK(run(small_study(), store, {}).reused == 24);
-    CHECK(same_numbers(store.solves("small"), planned_solve_count(small_study())));
+    CHECK(same_numbers(store.solves("small"), solve_all(small_study())));
   }
 }
 
@@ -280,7 +280,7 @@ TEST_CASE("progress is told before the first solve and after every one, and neve
 TEST_CASE("the points of a run are chained: a solve starts where the one before it left the arm", "[runner]") {
   Study study = study_of_every_solver();
   study.initial << 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7;
-  const std::vector<SolveRecord> records = planned_solve_count(study);
+  const std::vector<SolveRecord> records = solve_all(study);
   for (std::size_t i = 0; i < records.size(); ++i) {
     INFO(records[i].label << " run " << records[i].run << " point " << records[i].point);
     if (records[i].point == 1) {
@@ -294,7 +294,7 @@ TEST_CASE("the points of a run are chained: a solve starts where the one before 
 TEST_CASE("random targets are those of the run: the same for all solvers, others in another run", "[runner]") {
   Study study = small_random_study();
   std::map<std::pair<int, int>, std::vector<double>> seen;
-  const std::vector<SolveRecord> records = planned_solve_count(study, 2);
+  const std::vector<SolveRecord> records = solve_all(study, 2);
   REQUIRE(records.size() == 24);
   for (const SolveRecord& record : records) {
     std::vector<double> target = record.target_position_m;
@@ -318,7 +318,7 @@ TEST_CASE("where limits are enforced no solver takes any joint of the arm outsid
     study.limits = LimitPolicy::enforced;
     study.wrist_branch = branch;
     const JointLimits limits = robot(study.robot).limits;
-    for (const SolveRecord& record : planned_solve_count(study)) {
+    for (const SolveRecord& record : solve_all(study)) {
       INFO(record.label);
       CHECK(limits.violation(Eigen::VectorXd::Map(record.answer_rad.data(), 7)) < 1e-9);
       CHECK(record.limit_violation_deg == 0);
@@ -336,7 +336,7 @@ TEST_CASE("a refused answer leaves the arm where it was, and the record tells of
   const Robot arm = robot(study.robot);
   const std::vector<Pose> poses = targets_of_run(study, 1);
   int refused = 0;
-  const std::vector<SolveRecord> records = planned_solve_count(study);
+  const std::vector<SolveRecord> records = solve_all(study);
   for (std::size_t i = 0; i < records.size(); ++i) {
     const SolveRecord& record = records[i];
     if (record.point > 1) CHECK(same(record.start_rad, records[i - 1].answer_rad));
@@ -347,7 +347,7 @@ TEST_CASE("a refused answer leaves the arm where it was, and the record tells of
     const Eigen::Vector3d tool = arm.chain.position(Eigen::VectorXd::Map(record.start_rad.data(), 7));
     const double away = (tool - poses[static_cast<std::size_t>(record.point - 1)].translation()).norm();
     CHECK(record.position_error_cm == Approx(away * 100));
-    CHECK(record.claimed_error_cm < record.position_error_cm);  // the solver's error for the joints that it knows
+    CHECK(record.reported_error_cm < record.position_error_cm);  // the solver's error for the joints that it knows
   }
   CHECK(refused > 0);
   CHECK(refused < static_cast<int>(records.size()));
@@ -391,7 +391,7 @@ TEST_CASE("where limits are enforced the wrist takes the branch inside, whicheve
 TEST_CASE("IK-BA draws the Dobot's circle with the angles of Table 8, to errors of its size",
           "[runner][dobot][paper]") {
   const CsvTable printed = published::table("slim2023", "table-8");
-  const std::vector<SolveRecord> records = planned_solve_count(load_study("slim2023-dobot"));
+  const std::vector<SolveRecord> records = solve_all(load_study("slim2023-dobot"));
   REQUIRE(records.size() == 20);
   CHECK(fingerprint(records) == reference_fingerprint("slim2023-dobot"));
   for (std::size_t i = 0; i < 20; ++i) {
@@ -412,10 +412,10 @@ TEST_CASE("the verified error of every solver is the one it claims", "[runner][s
   for (const Search search : {Search::wrist, Search::all_joints, Search::pose, Search::axis, Search::flange}) {
     Study study = study_of_every_solver();
     study.search = search;
-    for (const SolveRecord& record : planned_solve_count(study)) {
+    for (const SolveRecord& record : solve_all(study)) {
       INFO(record.label);
-      CHECK(record.position_error_cm == Approx(record.claimed_error_cm).margin(1e-10).epsilon(0));
-      CHECK(record.status != Status::claimed_but_wrong);
+      CHECK(record.position_error_cm == Approx(record.reported_error_cm).margin(1e-10).epsilon(0));
+      CHECK(record.status != Status::misreported);
       CHECK(record.status != Status::not_finite);
     }
   }
@@ -432,11 +432,11 @@ TEST_CASE("every solver searches poses of an arm without a spherical wrist, and 
   study.stop = {.iterations = 400, .tolerance = 1e-4, .angle_tolerance = 0.1 * degree, .evaluations = 4000};
   const Robot arm = robot("ur5e");
   std::map<std::string, int> within;
-  for (const SolveRecord& record : planned_solve_count(study)) {
+  for (const SolveRecord& record : solve_all(study)) {
     CAPTURE(record.label, record.run, record.point);
     CHECK((record.status == Status::ok || record.status == Status::tolerance_missed ||
            record.status == Status::limit_violated));
-    CHECK(record.position_error_cm == Approx(record.claimed_error_cm).margin(1e-10).epsilon(0));
+    CHECK(record.position_error_cm == Approx(record.reported_error_cm).margin(1e-10).epsilon(0));
     // ||R - Rd|| is sqrt(8) sin(angle / 2), and ||Rd|| sqrt(3).
     const double angle = 2 * std::asin(std::min(1.0, record.orientation_error * std::sqrt(3.0 / 8)));
     const bool is_within = record.position_error_cm <= 1e-2 + 1e-7 && angle <= 0.1 * degree + 1e-9;
@@ -464,7 +464,7 @@ TEST_CASE("an arm of five joints finds the axes that it can reach", "[runner][ax
     if (info.name == "newton_slsqp") study.solvers.push_back({"TRAC-IK's rule", info.name, {}});
     if (info.name == "nlopt") study.solvers.push_back({"NLopt", info.name, {{"restarts", "random"}}});
   }
-  for (const SolveRecord& record : planned_solve_count(study)) ok[record.label] += record.status == Status::ok ? 1 : 0;
+  for (const SolveRecord& record : solve_all(study)) ok[record.label] += record.status == Status::ok ? 1 : 0;
   for (const SolverEntry& entry : study.solvers) {
     CAPTURE(entry.label);
     CHECK(ok[entry.label] == 50);
@@ -475,7 +475,7 @@ TEST_CASE("with the wrist in closed form the orientation is exact on either bran
   for (const WristBranch branch : {WristBranch::nearest, WristBranch::positive, WristBranch::negative}) {
     Study study = small_study();
     study.wrist_branch = branch;
-    for (const SolveRecord& record : planned_solve_count(study)) {
+    for (const SolveRecord& record : solve_all(study)) {
       CHECK(record.orientation_error < 1e-9);
       if (branch == WristBranch::positive) CHECK(record.answer_rad[5] >= 0);
       if (branch == WristBranch::negative) CHECK(record.answer_rad[5] <= 0);
@@ -489,9 +489,9 @@ TEST_CASE("a search for the flange leaves the last joint where it is, and finds 
   study.solvers = {{"DLS", "damped_least_squares", {}}};
   study.initial[6] = 0.3;
   study.search = Search::flange;
-  const std::vector<SolveRecord> flange = planned_solve_count(study);
+  const std::vector<SolveRecord> flange = solve_all(study);
   study.search = Search::all_joints;
-  const std::vector<SolveRecord> all = planned_solve_count(study);
+  const std::vector<SolveRecord> all = solve_all(study);
   REQUIRE(flange.size() == all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     CHECK(flange[i].answer_rad[6] == 0.3);
@@ -540,7 +540,7 @@ TEST_CASE("a target that is no number, or no place in the world, gives not_finit
       study.search = search;
       study.runs = 1;
       study.path = path_through({at(0.5, 0.1, 0.4), at(bad, 0.1, 0.4), at(0.5, 0.1, 0.4)});
-      const std::vector<SolveRecord> records = planned_solve_count(study);
+      const std::vector<SolveRecord> records = solve_all(study);
       REQUIRE(records.size() == study.solvers.size() * 3);
       for (std::size_t i = 0; i < records.size(); i += 3) {
         INFO(records[i].label << " towards " << bad);
@@ -559,7 +559,7 @@ TEST_CASE("a run is continued after a solve that was not finite as if it had not
   study.path = path_through({at(0.5, 0.1, 0.4), at(std::nan(""), 0, 0), at(0.5, 0.1, 0.5)});
   ScratchStore scratch;
   for (int i = 0; i < 18; ++i) run_for(study, scratch, 1);
-  CHECK(same_numbers(scratch.solves("small"), planned_solve_count(study)));
+  CHECK(same_numbers(scratch.solves("small"), solve_all(study)));
 }
 
 // ---- stop rules, traces, times ------------------------------------------------------------------------------------
@@ -567,14 +567,14 @@ TEST_CASE("a run is continued after a solve that was not finite as if it had not
 TEST_CASE("the trace has the best error after every iteration, and ends with the claim", "[runner]") {
   Study study = study_of_every_solver();  // whose iterations we count; a peer's library has its own
   std::erase_if(study.solvers, [](const SolverEntry& entry) { return !solver(entry.solver).library.empty(); });
-  for (const SolveRecord& record : planned_solve_count(study)) CHECK(record.trace_cm.empty());
+  for (const SolveRecord& record : solve_all(study)) CHECK(record.trace_cm.empty());
   study.trace = Trace::best_error;
-  for (const SolveRecord& record : planned_solve_count(study)) {
+  for (const SolveRecord& record : solve_all(study)) {
     INFO(record.label);
     CHECK((record.iterations == 5 || record.stop_reason == StopReason::finished));
     REQUIRE(record.trace_cm.size() == static_cast<std::size_t>(record.iterations));
     CHECK(std::is_sorted(record.trace_cm.rbegin(), record.trace_cm.rend()));  // never worse
-    CHECK(record.trace_cm.back() == record.claimed_error_cm);
+    CHECK(record.trace_cm.back() == record.reported_error_cm);
   }
 }
 

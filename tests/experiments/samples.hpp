@@ -90,8 +90,8 @@ inline experiments::Study small_study() {
 
 // A solve without the values that differ between runs of the program.
 inline results::SolveRecord without_times(results::SolveRecord record) {
-  record.seconds = record.cpu_seconds = record.smallest_seconds = record.largest_seconds = 0;
-  record.repeats = 1;
+  record.seconds = record.wall_seconds = record.cpu_seconds = 0;
+  record.batch_size = 1;
   record.timing = results::Timing::clean;
   record.session = 0;
   return record;
@@ -104,7 +104,7 @@ inline bool same_numbers(const std::vector<results::SolveRecord>& a, const std::
 }
 
 // The solves of a study that is run into a store of its own.
-inline std::vector<results::SolveRecord> planned_solve_count(const experiments::Study& study, int jobs = 1) {
+inline std::vector<results::SolveRecord> solve_all(const experiments::Study& study, int jobs = 1) {
   ScratchStore store;
   experiments::run(study, store, {.jobs = jobs});
   return store.solves(study.name);

@@ -27,9 +27,9 @@ TEST_CASE("the solves of a study as they are made follow from their answers", "[
     INFO(robot);
     Study study = study_with(robot);
     study.search = search;
-    CHECK(refused_row(to_stored(study), planned_solve_count(study)) == "");
+    CHECK(refused_row(to_stored(study), solve_all(study)) == "");
   }
-  CHECK(refused_row(to_stored(small_study()), planned_solve_count(small_study())) == "");  // by the wrist
+  CHECK(refused_row(to_stored(small_study()), solve_all(small_study())) == "");  // by the wrist
 }
 
 TEST_CASE("an arm from a URDF file, verified by its origins and axes, is checked by its table", "[recheck]") {
@@ -37,7 +37,7 @@ TEST_CASE("an arm from a URDF file, verified by its origins and axes, is checked
     Study study = study_with("ur5");
     study.robot_of_file = std::make_shared<const robots::Robot>(robots::load_robot(file));
     study.robot = file;
-    std::vector<SolveRecord> solves = planned_solve_count(study);
+    std::vector<SolveRecord> solves = solve_all(study);
     CHECK(refused_row(to_stored(study), solves) == "");
     solves.back().position_error_cm += 1e-3;
     CHECK_THAT(refused_row(to_stored(study), solves), ContainsSubstring("position_error_cm"));
@@ -48,7 +48,7 @@ TEST_CASE("an answer far beyond a slide's way follows from itself", "[recheck]")
   const robots::Robot arm = robots::load_robot("tests/data/arms/slides.urdf");
   Study study = study_with("planar_2");
   study.robot_of_file = std::make_shared<const robots::Robot>(arm);
-  SolveRecord far = planned_solve_count(study).front();
+  SolveRecord far = solve_all(study).front();
   far.answer_rad = {1e12, 1e12};
   far.status = Status::limit_violated;
   const auto vector = [](const std::vector<double>& of) { return Eigen::VectorXd::Map(of.data(), std::ssize(of)); };
@@ -56,7 +56,7 @@ TEST_CASE("an answer far beyond a slide's way follows from itself", "[recheck]")
   target.translation() = vector(far.target_position_m);
   const Verification of = verify(arm, target, vector(far.start_rad), vector(far.answer_rad));
   far.reached_position_m.assign(of.reached.begin(), of.reached.end());
-  far.position_error_cm = far.claimed_error_cm = of.position_error / centimetre;
+  far.position_error_cm = far.reported_error_cm = of.position_error / centimetre;
   far.variation_m = of.joint_motion_m;
   far.limit_violation_m = of.limit_violation_m;
   CHECK(refused_row(to_stored(study), {far}) == "");
@@ -65,10 +65,10 @@ TEST_CASE("an answer far beyond a slide's way follows from itself", "[recheck]")
 TEST_CASE("a target missed by less than the rounding of a check is missed", "[recheck]") {
   Study study = study_with("kuka_iiwa14");
   study.stop.tolerance = 1e-9;
-  SolveRecord near = planned_solve_count(study).front();
+  SolveRecord near = solve_all(study).front();
   near.target_position_m = near.reached_position_m;
   near.target_position_m[0] += 5e-9;
-  near.position_error_cm = near.claimed_error_cm = 5e-7;
+  near.position_error_cm = near.reported_error_cm = 5e-7;
   for (const Status status : {Status::ok, Status::tolerance_missed}) {
     near.status = status;
     CHECK(refused_row(to_stored(study), {near}) == "");
@@ -77,7 +77,7 @@ TEST_CASE("a target missed by less than the rounding of a check is missed", "[re
 
 TEST_CASE("an error that does not follow from its answer is refused, with the place of the solve", "[recheck]") {
   const Study study = study_with("stanford");
-  const std::vector<SolveRecord> good = planned_solve_count(study);
+  const std::vector<SolveRecord> good = solve_all(study);
   const std::vector<std::pair<std::string, std::function<void(SolveRecord&)>>> changes{
       {"position_error_cm is -1, which no solve has", [](SolveRecord& solve) { solve.position_error_cm = -1; }},
       {"position_error_cm", [](SolveRecord& solve) { solve.position_error_cm *= 1.0001; }},
@@ -90,8 +90,8 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
       {"reached_position_m", [](SolveRecord& solve) { solve.reached_position_m[1] += 1e-6; }},
       {"not start where the solve before", [](SolveRecord& solve) { solve.start_rad = solve.answer_rad; }},
       {"the arm moved, but its status is crashed", [](SolveRecord& solve) { solve.status = Status::crashed; }},
-      {": it has 0 evaluations (counted by suite) in ", [](SolveRecord& solve) { solve.evaluations = 0; }},
-      {"(counted by nobody) in ", [](SolveRecord& solve) { solve.counted_by = CountedBy::nobody; }},
+      {": it has 0 evaluations (counted by ikbench) in ", [](SolveRecord& solve) { solve.evaluations = 0; }},
+      {"(counted by none) in ", [](SolveRecord& solve) { solve.counted_by = CountedBy::none; }},
       {" iterations and stops by ", [&](SolveRecord& solve) { solve.iterations = study.stop.iterations + 1; }},
       {" and stops by iterations", [](SolveRecord& solve) { --solve.iterations; }},
       {" and stops by ",
@@ -109,9 +109,9 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
       {": seconds is -1, which no solve has", [](SolveRecord& solve) { solve.seconds = -1; }},
       {": seconds is 0, which no solve has", [](SolveRecord& solve) { solve.seconds = 0; }},
       {"cpu_seconds is inf, which no solve has", [](SolveRecord& solve) { solve.cpu_seconds = INFINITY; }},
-      {"claimed_seconds is -1, which no solve has", [](SolveRecord& solve) { solve.claimed_seconds = -1; }},
-      {"claimed_error_cm", [](SolveRecord& solve) { solve.claimed_error_cm += 1e-3; }},
-      {"claimed_error_cm is nan, but ", [](SolveRecord& solve) { solve.claimed_error_cm = not_a_number; }},
+      {"wall_seconds is -1, which no solve has", [](SolveRecord& solve) { solve.wall_seconds = -1; }},
+      {"reported_error_cm", [](SolveRecord& solve) { solve.reported_error_cm += 1e-3; }},
+      {"reported_error_cm is nan, but ", [](SolveRecord& solve) { solve.reported_error_cm = not_a_number; }},
       {"status is not_finite, but ", [](SolveRecord& solve) { solve.status = Status::not_finite; }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.answer_rad.pop_back(); }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.target_rotation.clear(); }}};
@@ -129,7 +129,7 @@ TEST_CASE("a solve of a program that kept its budget has not spent 1.5 times as 
   Study study = study_with("stanford");
   study.stop.evaluations = 1000;
   StoredStudy entry = to_stored(study);
-  SolveRecord solve = planned_solve_count(study).front();
+  SolveRecord solve = solve_all(study).front();
   REQUIRE(is_sound(solve.status));
   solve.counted_by = CountedBy::solver;
   solve.evaluations = 1500;
@@ -146,7 +146,7 @@ TEST_CASE("an answer that reached has the numbers of the study's check, and an i
   StoredStudy entry = to_stored(study);
   entry.definition.check.process = {"./check"};
   entry.definition.check.larger = {"free"};
-  SolveRecord solve = planned_solve_count(study).front();
+  SolveRecord solve = solve_all(study).front();
   const std::string number = fmt::format("{}free", check_extra), fault = fmt::format("{}near", invalid_extra);
   const auto is_refused = [&](Status status, const std::map<std::string, double>& extras) {
     solve.status = status, solve.extras = extras;
@@ -176,7 +176,7 @@ TEST_CASE("solves are made again from the store alone, and another bit or count 
   study.robot = "tests/data/urdf/panda.urdf";
   study.initial = robots::Configuration::Zero(7);
   StoredStudy entry = to_stored(study);
-  const std::vector<SolveRecord> solves = planned_solve_count(study);
+  const std::vector<SolveRecord> solves = solve_all(study);
   const auto found_in = [&](const char* name, const std::vector<SolveRecord>& rows) {
     Store store(folder.path / name, Store::Mode::write);
     store.save_study(entry);

@@ -169,7 +169,7 @@ TEST_CASE("every solver starts where the study says, run after run and from a st
         "ur5e", "start = \"" + start +
                     "\"\npopulation = 4\nruns = 2\n[stop]\niterations = 3\n[path]\nkind = \"random\"\npoints = 3");
     study.solvers.push_back({"other", "particle_swarm", {}});
-    for (const SolveRecord& solve : planned_solve_count(study)) {
+    for (const SolveRecord& solve : solve_all(study)) {
       const Configuration expected =
           start == "initial"
               ? Configuration(study.initial)
@@ -177,7 +177,7 @@ TEST_CASE("every solver starts where the study says, run after run and from a st
       CHECK(std::ranges::equal(solve.start_rad, expected));
     }
     ScratchStore store;
-    const std::vector<SolveRecord> whole = planned_solve_count(study);
+    const std::vector<SolveRecord> whole = solve_all(study);
     study.runs = 1;
     run(study, store, {});
     study.runs = 2;

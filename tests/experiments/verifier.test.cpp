@@ -43,7 +43,7 @@ TEST_CASE("an arm from a URDF file is verified by its origins and axes, not by t
     links[2].a += 1e-4;
     wrong.chain = Chain(links, arm.chain.base(), arm.chain.tool());
     const double claimed = (wrong.chain.position(q) - target.translation()).norm();
-    CHECK(classify(verify(wrong, target, q, q), {.reported_error = claimed}) == Status::claimed_but_wrong);
+    CHECK(classify(verify(wrong, target, q, q), {.reported_error = claimed}) == Status::misreported);
   }
 }
 
@@ -184,17 +184,17 @@ TEST_CASE("a status is the most severe of what is wrong by more than rounding", 
        Status::tolerance_missed},
       {{.limit_violation = 2e-9}, enforced, Status::refused},
       {{.limit_violation = 0}, enforced, Status::ok},
-      {{.position_error = 1, .limit_violation = 2e-9}, enforced, Status::claimed_but_wrong},
-      {{.position_error = 0.01}, {.reported_error = 0.02}, Status::claimed_but_wrong},
-      {{.position_error = 0.02}, {.reported_error = 0.01}, Status::claimed_but_wrong},
+      {{.position_error = 1, .limit_violation = 2e-9}, enforced, Status::misreported},
+      {{.position_error = 0.01}, {.reported_error = 0.02}, Status::misreported},
+      {{.position_error = 0.02}, {.reported_error = 0.01}, Status::misreported},
       {{.position_error = 0.01}, {.reported_error = 0.01 + 0.5e-9}, Status::ok},
-      {{.position_error = 0.01}, {.reported_error = not_a_number}, Status::claimed_but_wrong},
-      {{.position_error = 0.01}, {.reported_error = infinity}, Status::claimed_but_wrong},
-      {{.orientation_error = 0.1}, {.orientation_is_exact = true}, Status::claimed_but_wrong},
+      {{.position_error = 0.01}, {.reported_error = not_a_number}, Status::misreported},
+      {{.position_error = 0.01}, {.reported_error = infinity}, Status::misreported},
+      {{.orientation_error = 0.1}, {.orientation_is_exact = true}, Status::misreported},
       {{.orientation_error = 0.1}, {.orientation_is_exact = false}, Status::ok},
       {{.orientation_error = 0.5e-9}, {.orientation_is_exact = true}, Status::ok},
       {{.position_error = 1, .limit_violation = 1}, claimed, Status::limit_violated},
-      {{.position_error = 2, .limit_violation = 1}, claimed, Status::claimed_but_wrong},
+      {{.position_error = 2, .limit_violation = 1}, claimed, Status::misreported},
       {{.position_error = infinity, .limit_violation = 1}, claimed, Status::not_finite},
       {{.orientation_error = not_a_number}, claimed, Status::not_finite}};
   for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -217,15 +217,15 @@ TEST_CASE("what is claimed of a pose or an axis has to hold of its position and 
   CHECK(classify(verified, honest) == Status::ok);
   AcceptanceCriteria wrong = honest;
   wrong.reported_pose_error += 1e-8;
-  CHECK(classify(verified, wrong) == Status::claimed_but_wrong);
+  CHECK(classify(verified, wrong) == Status::misreported);
   wrong.reported_pose_error = not_a_number;
-  CHECK(classify(verified, wrong) == Status::claimed_but_wrong);
+  CHECK(classify(verified, wrong) == Status::misreported);
   wrong = honest;
   wrong.reported_error = 0.04;
-  CHECK(classify(verified, wrong) == Status::claimed_but_wrong);
+  CHECK(classify(verified, wrong) == Status::misreported);
   wrong = honest;
   wrong.rotation_weight = 0.2;
-  CHECK(classify(verified, wrong) == Status::claimed_but_wrong);
+  CHECK(classify(verified, wrong) == Status::misreported);
 }
 
 TEST_CASE("a solver that stops by itself is over its budget by half of it", "[verifier]") {

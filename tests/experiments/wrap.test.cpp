@@ -31,8 +31,8 @@ TEST_CASE("an angle outside the limits comes back by the fewest whole turns, if 
 }
 
 TEST_CASE("wrapped answers differ by whole turns, reach the same and are outside the limits less often", "[wrap]") {
-  const std::vector<SolveRecord> plain = planned_solve_count(study_without_limits(WrapPolicy::no)),
-                                 wrapped = planned_solve_count(study_without_limits(WrapPolicy::into_limits));
+  const std::vector<SolveRecord> plain = solve_all(study_without_limits(WrapPolicy::no)),
+                                 wrapped = solve_all(study_without_limits(WrapPolicy::into_limits));
   REQUIRE(plain.size() == wrapped.size());
   int outside = 0, outside_wrapped = 0, turned = 0;
   for (std::size_t i = 0; i < plain.size(); ++i) {
@@ -56,9 +56,9 @@ TEST_CASE("the nearest answers differ by whole turns, move no farther, and no tu
   Study study = study_without_limits(WrapPolicy::into_limits);
   study.robot = "ur5e";  // two turns for each joint
   study.initial = Eigen::VectorXd::Zero(6);
-  const std::vector<SolveRecord> wrapped = planned_solve_count(study);
+  const std::vector<SolveRecord> wrapped = solve_all(study);
   study.wrap = WrapPolicy::nearest;
-  const std::vector<SolveRecord> nearest = planned_solve_count(study);
+  const std::vector<SolveRecord> nearest = solve_all(study);
   const JointLimits limits = robot("ur5e").limits;
   int nearer = 0;
   for (std::size_t i = 0; i < nearest.size(); ++i) {

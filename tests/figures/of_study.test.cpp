@@ -84,7 +84,7 @@ TEST_CASE("drawn targets with a tolerance have shares, and no number of solved o
 TEST_CASE("solvers whose costs are not known or not comparable are left out of shares, by name", "[of_study]") {
   const StudyResults asked = study({.start = "middle", .targets = "drawn", .tolerance_cm = 0.01},
                                    [](SolveRecord& solve) {
-                                     if (solve.label == "A") solve.counted_by = CountedBy::nobody;
+                                     if (solve.label == "A") solve.counted_by = CountedBy::none;
                                      if (solve.label == "B" || solve.label == "D")
                                        solve.timing = results::Timing::process;
                                      if (solve.label > "B") solve.status = Status::tolerance_missed;

@@ -54,11 +54,12 @@ solvers = [{ label = "random", solver = "random_search" }]
 )",
                                                       "my study");
   const auto climb = solvers::solver_info<Climb>("climb", "random steps that shrink", "me");
-  study.solvers.push_back({.label = "mine", .solver = climb.name, .own = std::make_shared<solvers::SolverInfo>(climb)});
+  study.solvers.push_back(
+      {.label = "mine", .solver = climb.name, .custom = std::make_shared<solvers::SolverInfo>(climb)});
   results::Store store("made/store.sqlite", results::Store::Mode::write);
   experiments::run(study, store, {});
   const auto reported = show::make_report(judge::judge(judge::read_study(store, store.study("mine"))), {});
-  show::publish(reported, "made", {.only = {"none"}});
+  show::write_report(reported, "made", {.only = {"none"}});
   std::puts(show::headline(reported.answer).c_str());
   std::puts(show::to_markdown(show::results_table(reported.answer)).c_str());
 }

@@ -208,7 +208,7 @@ TEST_CASE("times of two that solved in turn decide; too few turns and other sess
 }
 
 TEST_CASE("a metric that one of the two lacks is not tested") {
-  const auto uncounted = [](SolveRecord& solve) { solve.counted_by = CountedBy::nobody; };
+  const auto uncounted = [](SolveRecord& solve) { solve.counted_by = CountedBy::none; };
   CHECK(gate_of(version(1), version(2, of_100, uncounted)).not_tested == Names{"evaluations per solved"});
   CHECK(exit_code({gate_of(version(1, of_100, uncounted), version(1))}, false) == 0);
   const RegressionCheck of_two = gate_of(of_100, [&](SolveRecord& solve) {

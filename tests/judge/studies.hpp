@@ -120,7 +120,7 @@ inline results::StoredStudy entry_of(const Asked& asked, const std::vector<std::
 }
 
 // One for each run, as a study makes them.
-inline std::vector<results::Session> session_sets(int runs) {
+inline std::vector<results::Session> sample_sessions(int runs) {
   std::vector<results::Session> all;
   for (int run = 1; run <= runs; ++run) all.push_back({.id = run, .environment = {{"cpu", "one"}, {"state", "first"}}});
   return all;
@@ -130,7 +130,7 @@ inline StudyResults study(const Asked& asked, const Change& change,
                           const std::vector<std::string>& solvers = {"A", "B"},
                           const std::vector<results::Session>& sessions = {}) {
   return to_stored(entry_of(asked, solvers), planned_solve_count(asked, solvers, change),
-                   sessions.empty() ? session_sets(asked.runs) : sessions);
+                   sessions.empty() ? sample_sessions(asked.runs) : sessions);
 }
 
 }  // namespace ikbench::judge

@@ -6,7 +6,7 @@ TEST_CASE("A definition is read into plain data") {
     "start": "previous", "limits": "enforced", "runs": 3, "points": 7, "seed": 9007199254740993,
     "path": {"kind": "random", "points": 2, "targets": "drawn"},
     "stop": {"iterations": 200, "tolerance_cm": 0.1, "tolerance_deg": 2, "evaluations": 4000, "seconds": 0.5},
-    "departures": ["limits"], "out_of_reach": {"points": 3}, "loop": {"period_ms": 500},
+    "departures": ["limits"], "unreachable_targets": {"points": 3}, "loop": {"period_ms": 500},
     "analysis": {"test": "means", "control": "A", "margin_percent": 10, "margin_cm": 0.2},
     "figures": {"width_cm": 9, "palette": ["#ff0000"], "solvers": ["B", "A"], "colours": {"A": "#8D1804"}},
     "arm": {"velocity_deg_s": [90, 2], "links": [{"limits_deg": "none"}, {"joint": "slides", "limits_deg": [0, 1]}]}})");
@@ -48,11 +48,11 @@ TEST_CASE("A member that lacks keeps its default") {
 TEST_CASE("A member of another type is refused by its name") {
   CHECK_THROWS_WITH(parse_definition(R"({"name": "mine", "runs": "many"})"),
                     ContainsSubstring("study mine: runs is \"many\"; expected a whole number"));
-  for (const char* text :
-       {"", "[]", "4", "{", R"({"title": 4})", R"({"points": -3})", R"({"runs": 99999999999})", R"({"path": []})",
-        R"({"departures": ["limits", 4]})", R"({"stop": {"seconds": "1"}})", R"({"analysis": {"test": 3}})",
-        R"({"figures": {"colours": {"B": 3}}})", R"({"out_of_reach": 3})", R"({"analysis": {"significance": 0}})",
-        R"({"figures": {"colours": {"A": "'"}}})", R"({"figures": {"font": "a'; !touch pwned"}})"}) {
+  for (const char* text : {"", "[]", "4", "{", R"({"title": 4})", R"({"points": -3})", R"({"runs": 99999999999})",
+                           R"({"path": []})", R"({"departures": ["limits", 4]})", R"({"stop": {"seconds": "1"}})",
+                           R"({"analysis": {"test": 3}})", R"({"figures": {"colours": {"B": 3}}})",
+                           R"({"unreachable_targets": 3})", R"({"analysis": {"significance": 0}})",
+                           R"({"figures": {"colours": {"A": "'"}}})", R"({"figures": {"font": "a'; !touch pwned"}})"}) {
     CAPTURE(text);
     CHECK_THROWS_AS(parse_definition(text), std::invalid_argument);
   }

@@ -107,7 +107,7 @@ TEST_CASE("a store keeps the fingerprint, of numbers that are not finite too", "
   records[1].position_error_cm = -std::numeric_limits<double>::quiet_NaN();
   records[1].answer_rad = {-0.0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::quiet_NaN()};
   records[2].variation_deg = -0.0;
-  records[3].claimed_error_cm = std::numeric_limits<double>::infinity();
+  records[3].reported_error_cm = std::numeric_limits<double>::infinity();
   store.append({records[3], records[1]});
   store.append({records[0], records[2]});
   CHECK(fingerprint(store.solves("table-3")) == fingerprint(records));

@@ -177,7 +177,7 @@ TEST_CASE("the views have the current solves under the present labels, and the m
     solves[0].status = Status::ok;
     solves[0].position_error_cm = 1;
     solves[1].position_error_cm = 2;
-    solves[2].counted_by = CountedBy::nobody;
+    solves[2].counted_by = CountedBy::none;
     store.append(solves);
     CHECK(store.solve_count(study) == 3);
   }
@@ -232,18 +232,19 @@ TEST_CASE("the file names its program and the version of its schema", "[store]")
   { const Store store(folder.path / "a.ikb", Store::Mode::write); }
   SQLite::Database sqlite((folder.path / "a.ikb").string());
   CHECK(sqlite.execAndGet("PRAGMA application_id").getInt64() == 0x494B424E);  // "IKBN"
-  CHECK(sqlite.execAndGet("PRAGMA user_version").getInt64() == 3);
-  // The first 26: ikbench list columns.
-  CHECK(sqlite
-            .execAndGet("SELECT group_concat(name || ' ' || type) FROM (SELECT * FROM pragma_table_info('solves') "
-                        "ORDER BY cid LIMIT 26)")
-            .getString() ==
-        "study TEXT,robot TEXT,label TEXT,series TEXT,run INTEGER,point INTEGER,target_position_m TEXT,"
-        "target_rotation TEXT,start_rad TEXT,answer_rad TEXT,reached_position_m TEXT,position_error_cm "
-        "REAL,claimed_error_cm REAL,"
-        "orientation_error REAL,variation_deg REAL,largest_move_deg REAL,limit_violation_deg REAL,evaluations INTEGER,"
-        "iterations INTEGER,stop_reason TEXT,status TEXT,seconds REAL,cpu_seconds REAL,timing TEXT,session INTEGER,"
-        "trace_cm TEXT");
+  CHECK(sqlite.execAndGet("PRAGMA user_version").getInt64() == 4);
+  // The first 27: ikbench list columns.
+  CHECK(
+      sqlite
+          .execAndGet("SELECT group_concat(name || ' ' || type) FROM (SELECT * FROM pragma_table_info('solves') "
+                      "ORDER BY cid LIMIT 27)")
+          .getString() ==
+      "study TEXT,robot TEXT,label TEXT,series TEXT,run INTEGER,point INTEGER,target_position_m TEXT,"
+      "target_rotation TEXT,start_rad TEXT,answer_rad TEXT,reached_position_m TEXT,position_error_cm "
+      "REAL,reported_error_cm REAL,"
+      "orientation_error REAL,variation_deg REAL,largest_move_deg REAL,limit_violation_deg REAL,evaluations INTEGER,"
+      "iterations INTEGER,stop_reason TEXT,status TEXT,seconds REAL,wall_seconds REAL,cpu_seconds REAL,timing TEXT,session INTEGER,"
+      "trace_cm TEXT");
 }
 
 TEST_CASE("what is known of a session at its end is added to it, and to no other", "[store]") {

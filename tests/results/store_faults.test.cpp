@@ -88,13 +88,13 @@ TEST_CASE("an empty file is no store to a reader and a new store to a writer", "
 }
 
 TEST_CASE_METHOD(StoreFile, "a store of another version is refused and stays as it is", "[store][faults]") {
-  for (const int version : {-1, 0, 1, 2, 700}) {
+  for (const int version : {-1, 0, 1, 2, 3, 700}) {
     CAPTURE(version);
     edit(file, fmt::format("PRAGMA user_version = {}", version));
     const std::string before = text_in(file);
     for (const auto mode : {Store::Mode::read, Store::Mode::write, Store::Mode::write_shared})
       CHECK_THAT(refusal(file, mode),
-                 ContainsSubstring(fmt::format("{} is a store of version {}, and this ikbench reads version 3 alone",
+                 ContainsSubstring(fmt::format("{} is a store of version {}, and this ikbench reads version 4 alone",
                                                quoted(file), version)));
     CHECK(text_in(file) == before);
   }
@@ -162,7 +162,7 @@ TEST_CASE_METHOD(StoreFile, "a value that ikbench does not write is damage, and 
            {"position_error_cm = -1", "position_error_cm is -1, which no solve has"},
            {"seconds = 0", "seconds is 0, which no solve has"},
            {"label = 'other'", "the label of 'IK-BA' is another in its solves"},
-           {"repeats = 5000000000", "repeats: 5000000000"}}) {
+           {"batch_size = 5000000000", "batch_size: 5000000000"}}) {
     CAPTURE(change);
     const StoreFile other;
     edit(other.file, "UPDATE solves SET " + change);

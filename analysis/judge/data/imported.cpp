@@ -47,7 +47,7 @@ StudyResults read_archive(const std::string& robot) {
         {.run = static_cast<int>(number("run")),
          .label = static_cast<int>(std::ssize(study.labels) - 1),
          .status = status == statuses.end() ? Status::ok : static_cast<Status>(status - statuses.begin()),
-         .counted_by = CountedBy::nobody,
+         .counted_by = CountedBy::none,
          .position_error_cm = number("error_um") * 1e-4,
          .orientation_error_deg = number("rotation_urad") * 1e-6 / base::degree,
          .variation_deg = number("motion_deg"),

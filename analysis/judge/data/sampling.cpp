@@ -25,7 +25,7 @@ constexpr double least_motion_deg = 1e-3;  // less is how a solver rounds, and m
 
 // A program or library that tells none has 0.
 bool counts_iterations(const SolveSummary& solve) {
-  return solve.iterations > 0 || solve.counted_by != results::CountedBy::nobody;
+  return solve.iterations > 0 || solve.counted_by != results::CountedBy::none;
 }
 
 double of_answer(const SolveSummary& solve, double value) {

@@ -92,15 +92,14 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
     if (const auto found = record.extras.find(std::string(check_extra) + name); found != record.extras.end())
       numbers.push_back(found->second);
   add_extras(record, study);
-  const bool is_told = record.cpu_seconds > 0 && record.claimed_seconds > 0 &&
-                       record.claimed_seconds >= min_credible_seconds(record.cpu_seconds);
-  const double seconds = is_told ? record.claimed_seconds : record.seconds;
+  const bool is_self_timed = std::isfinite(record.wall_seconds) && record.seconds != record.wall_seconds;
+  const double seconds = record.seconds;
   const bool is_single = record.timing != Timing::batch;
-  if (!is_single) study.batch_timings[record.label].first.insert(record.repeats);
+  if (!is_single) study.batch_timings[record.label].first.insert(record.batch_size);
   if (!is_single && std::isfinite(seconds) && !has_no_answer(record.status))
     study.batch_timings[record.label].second.push_back(seconds);
   const bool is_timed = record.timing == Timing::clean || record.timing == Timing::process;
-  const bool is_alone = record.timing == Timing::clean || (record.timing == Timing::process && is_told);
+  const bool is_alone = record.timing == Timing::clean || (record.timing == Timing::process && is_self_timed);
   const double period = study.definition.loop.period;
   study.solves.push_back(
       {.run = record.run,
@@ -114,7 +113,7 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
        .counted_by = record.counted_by,
        .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
        .was_preempted = is_alone && record.cpu_seconds > 0 && seconds > 1.1 * record.cpu_seconds,
-       .is_self_timed = is_told,
+       .is_self_timed = is_self_timed,
        .missed_deadline = is_timed && period > 0 && (seconds > period || has_no_answer(record.status)),
        .exceeds_velocity = exceeds_velocity(study.definition, record),
        .position_error_cm = record.position_error_cm,

@@ -27,7 +27,7 @@ struct SolveSummary {
   results::Status status = results::Status::ok;
   results::StopReason stop_reason = results::StopReason::iterations;
   results::Timing timing = results::Timing::clean;
-  results::CountedBy counted_by = results::CountedBy::suite;
+  results::CountedBy counted_by = results::CountedBy::ikbench;
   bool is_outside_limits = false;
   bool was_preempted = false;  // took more than 10 % longer than its processor time; of solves at once not known
   bool is_self_timed = false;  // by a program: its own time, for which its processor time leaves room

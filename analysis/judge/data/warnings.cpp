@@ -78,7 +78,8 @@ void add_of_budgets(Doubts& warnings, const StudyResults& study) {
   for (const std::string& solver : study.labels) {
     double limited = 0, spent = 0, largest = 0;
     const Solves all = study.of(solver);
-    if (!std::ranges::all_of(all, [](const SolveSummary& its) { return its.counted_by == CountedBy::suite; })) continue;
+    if (!std::ranges::all_of(all, [](const SolveSummary& its) { return its.counted_by == CountedBy::ikbench; }))
+      continue;
     for (const SolveSummary& solve : all) {
       const auto evaluations = static_cast<double>(solve.evaluations);
       largest = std::max(largest, evaluations);
@@ -184,7 +185,7 @@ std::vector<Warning> clock_warnings(const StudyResults& study) {
 std::vector<Warning> evaluation_warnings(const StudyResults& study) {
   Doubts warnings = clock_warnings(study);
   add(warnings, study, {.kind = WarningKind::counts_not_comparable},
-      [](const SolveSummary& solve) { return !has_no_answer(solve.status) && solve.counted_by != CountedBy::suite; });
+      [](const SolveSummary& solve) { return !has_no_answer(solve.status) && solve.counted_by != CountedBy::ikbench; });
   return warnings;
 }
 
@@ -197,7 +198,7 @@ std::vector<Warning> study_warnings(const StudyResults& study) {
   add(warnings, study, {.kind = WarningKind::no_answer, .detail = "solves gave no answer"},
       [](const SolveSummary& solve) { return !has_answer(solve); });
   add(warnings, study, {.kind = WarningKind::misreported},
-      [](const SolveSummary& solve) { return solve.status == Status::claimed_but_wrong; });
+      [](const SolveSummary& solve) { return solve.status == Status::misreported; });
   add(warnings, study, {.kind = WarningKind::limit_violations}, &SolveSummary::is_outside_limits);
   add_of_budgets(warnings, study);
   if (const int count = study.definition.unreachable_targets; count > 0)
