@@ -314,8 +314,9 @@ JudgedMetric on_common_blocks(JudgedMetric metric) {
   if (blocks.size() < 2) return metric;
   keep_common_blocks(groups);
   std::vector<Comparison> common = compare(samples, metric.plan);
+  const ComparisonTable table(metric);
   for (Comparison& comparison : common) {
-    const Comparison* const of_all = find_comparison(metric, comparison.first, comparison.second);
+    const Comparison* const of_all = table.find(comparison.first_index, comparison.second_index);
     const auto* const all = of_all ? std::get_if<TestResult>(&of_all->result) : nullptr;
     if (auto* const tested = std::get_if<TestResult>(&comparison.result); tested && all) tested->verdict = all->verdict;
   }

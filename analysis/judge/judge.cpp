@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 #include <tuple>
@@ -35,8 +36,7 @@ void add_doubt_of_ranks(JudgedMetric& judged) {
   for (const Comparison& comparison : judged.comparisons) {
     if (!std::holds_alternative<TestResult>(comparison.result) || !is_difference(verdict_of(comparison))) continue;
     const Comparison its = better_first(comparison, "");
-    const Descriptives &one = judged.descriptives[index_of(samples, its.first)],
-                       &two = judged.descriptives[index_of(samples, its.second)];
+    const Descriptives &one = judged.descriptives[its.first_index], &two = judged.descriptives[its.second_index];
     const bool is_best = !losers.contains(its.first);  // and its median stands beside it
     const bool is_median_worse = is_best && one.median != two.median
                                      ? (one.median > two.median) == (samples.better == Better::smaller)
@@ -90,6 +90,44 @@ std::string_view then_word_of(const MetricSamples& samples) {
   }
 }
 
+std::vector<bool> beaten_groups(const JudgedMetric& judged) {
+  std::vector<bool> is_beaten(judged.samples.groups.size());
+  for (const Comparison& comparison : judged.comparisons) {
+    const Verdict verdict = verdict_of(comparison);
+    if (verdict == Verdict::better) is_beaten[comparison.second_index] = true;
+    if (verdict == Verdict::worse) is_beaten[comparison.first_index] = true;
+  }
+  return is_beaten;
+}
+
+// Returns whether every unbeaten group beats all beaten ones, and is tested against every other unbeaten one.
+bool is_clear_order(const std::vector<Comparison>& comparisons, const std::vector<bool>& is_beaten) {
+  return std::ranges::all_of(comparisons, [&](const Comparison& comparison) {
+    const bool is_first_beaten = is_beaten[comparison.first_index];
+    const bool is_second_beaten = is_beaten[comparison.second_index];
+    if (is_first_beaten && is_second_beaten) return true;
+    if (is_first_beaten != is_second_beaten) return is_difference(verdict_of(comparison));
+    return verdict_of(comparison) != Verdict::not_tested;
+  });
+}
+
+// Returns the average evaluations of each group; infinity if they are not known, 0 for all if no metric is evaluations.
+std::vector<double> average_evaluations(const std::vector<Group>& groups, const std::vector<JudgedMetric>& metrics) {
+  std::vector<double> averages(groups.size(), 0.0);
+  const auto evaluations = std::ranges::find(metrics, QuantityKind::evaluations,
+                                             [](const JudgedMetric& metric) { return metric.samples.quantity_kind; });
+  if (evaluations == metrics.end()) return averages;
+  std::map<std::string_view, double> known;
+  for (std::size_t i = 0; i < evaluations->descriptives.size(); ++i)
+    known.emplace(evaluations->samples.groups[i].name, average_of(*evaluations, i));
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const auto found = known.find(groups[i].name);
+    const bool is_known = found != known.end() && !std::isnan(found->second);
+    averages[i] = is_known ? found->second : std::numeric_limits<double>::infinity();
+  }
+  return averages;
+}
+
 // Some observation has a value, and if this is no share one is not 0.
 bool has_meaning(const MetricSamples& samples) {
   return std::ranges::any_of(samples.groups, [&](const Group& group) {
@@ -108,6 +146,7 @@ JudgedMetric judge(MetricSamples observations, const AnalysisPlan& plan) {
 JudgedMetric judge(MetricSamples observations, const AnalysisPlan& plan, std::vector<Comparison> comparisons) {
   JudgedMetric judged{.samples = std::move(observations), .plan = plan, .comparisons = std::move(comparisons)};
   const MetricSamples& samples = judged.samples;
+  set_group_indices(judged.comparisons, samples);
   for (const Group& group : samples.groups) {
     const Descriptives its = describe(group);
     judged.descriptives.push_back(samples.is_log_scale ? Descriptives{.n = its.n, .mean = std::exp(its.mean)}
@@ -128,28 +167,19 @@ double average_of(const JudgedMetric& judged, std::size_t group) {
 }
 
 std::vector<std::size_t> display_order(const JudgedMetric& judged, const std::vector<JudgedMetric>& all) {
-  const auto evaluations = std::ranges::find(all, QuantityKind::evaluations,
-                                             [](const JudgedMetric& metric) { return metric.samples.quantity_kind; });
-  const auto cost = [&](const std::string& name) {
-    if (evaluations == all.end()) return 0.0;
-    const std::size_t group = index_of(evaluations->samples, name);
-    const double value = group == evaluations->descriptives.size() ? unknown : average_of(*evaluations, group);
-    return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
-  };
-  const std::set<std::string> losers = beaten_solvers(judged.comparisons);
-  const bool are_clear = std::ranges::all_of(judged.comparisons, [&](const Comparison& comparison) {
-    const bool is_beaten = losers.contains(comparison.first), is_other = losers.contains(comparison.second);
-    return (is_beaten && is_other) || (is_beaten != is_other ? is_difference(verdict_of(comparison))
-                                                             : verdict_of(comparison) != Verdict::not_tested);
-  });
+  const std::vector<bool> is_beaten = beaten_groups(judged);
+  const bool are_clear = is_clear_order(judged.comparisons, is_beaten);
+  const std::vector<double> costs = average_evaluations(judged.samples.groups, all);
   std::vector<std::size_t> order(judged.descriptives.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) {
-    const double value = average_of(judged, i);
-    const Group& group = judged.samples.groups[i];
-    const double place = judged.samples.better == Better::larger ? -value : value;
-    const int rank = missing_in(group) > 0 ? 2 : are_clear && !losers.contains(group.name) ? 0 : 1;
-    return std::isnan(value) ? std::tuple(3, 0.0, 0.0) : std::tuple(rank, place, cost(group.name));
+    enum Rank { unbeaten, known, incomplete, without_average };
+    const double average = average_of(judged, i);
+    if (std::isnan(average)) return std::tuple(without_average, 0.0, 0.0);
+    Rank rank = known;
+    if (are_clear && !is_beaten[i]) rank = unbeaten;
+    if (missing_in(judged.samples.groups[i]) > 0) rank = incomplete;
+    return std::tuple(rank, judged.samples.better == Better::larger ? -average : average, costs[i]);
   });
   return order;
 }
@@ -227,11 +257,32 @@ const JudgedMetric* find_metric(const JudgedStudy& judged, std::string_view colu
 }
 
 const Comparison* find_comparison(const JudgedMetric& judged, std::string_view one, std::string_view other) {
-  const auto found = std::ranges::find_if(judged.comparisons, [&](const Comparison& comparison) {
-    return (comparison.first == one && comparison.second == other) ||
-           (comparison.first == other && comparison.second == one);
+  const std::size_t i = index_of(judged.samples, one);
+  const std::size_t j = index_of(judged.samples, other);
+  const auto found = std::ranges::find_if(judged.comparisons, [=](const Comparison& comparison) {
+    return (comparison.first_index == i && comparison.second_index == j) ||
+           (comparison.first_index == j && comparison.second_index == i);
   });
   return found == judged.comparisons.end() ? nullptr : &*found;
+}
+
+ComparisonTable::ComparisonTable(const JudgedMetric& judged)
+    : groups_(judged.samples.groups.size()), cells_(groups_ * groups_, nullptr) {
+  for (const Comparison& comparison : judged.comparisons) {
+    cells_.at(comparison.first_index * groups_ + comparison.second_index) = &comparison;
+    cells_.at(comparison.second_index * groups_ + comparison.first_index) = &comparison;
+  }
+}
+
+const Comparison* ComparisonTable::find(std::size_t first, std::size_t second) const {
+  return first < groups_ && second < groups_ ? cells_[first * groups_ + second] : nullptr;
+}
+
+Verdict ComparisonTable::verdict(std::size_t first, std::size_t second) const {
+  const Comparison* const comparison = find(first, second);
+  if (comparison == nullptr) return Verdict::not_tested;
+  const Verdict verdict = verdict_of(*comparison);
+  return comparison->first_index == first ? verdict : reversed(verdict);
 }
 
 }  // namespace ikbench::judge

@@ -53,7 +53,23 @@ std::string name_in_plan(const JudgedStudy& study, const JudgedMetric& metric);
 
 // Null if the study has no such metric, by its column.
 const JudgedMetric* find_metric(const JudgedStudy& judged, std::string_view column);
-// Of two groups, in either order; null if they are no pair.
+// Returns the comparison of two groups, in either order; null if the plan has no such pair. Searches all pairs: code
+// that asks for many of them makes a ComparisonTable.
 const Comparison* find_comparison(const JudgedMetric& judged, std::string_view one, std::string_view other);
+
+// The comparisons of one metric by the indices of their groups, for code that asks for many pairs. Takes one pointer
+// per pair of groups. Refers to the comparisons of the metric, which must not be changed while the table is in use.
+class ComparisonTable {
+ public:
+  explicit ComparisonTable(const JudgedMetric& judged);
+  // Returns the comparison of two groups, in either order; null if the plan has no such pair.
+  const Comparison* find(std::size_t first, std::size_t second) const;
+  // Returns the verdict of the first group against the second; not_tested if the plan has no such pair.
+  Verdict verdict(std::size_t first, std::size_t second) const;
+
+ private:
+  std::size_t groups_;
+  std::vector<const Comparison*> cells_;  // row by row, each pair twice
+};
 
 }  // namespace ikbench::judge

@@ -69,6 +69,7 @@ ReportModel answer_with(const std::vector<double>& numbers, const std::vector<Co
       const std::string first(1, static_cast<char>('A' + i)), second(1, static_cast<char>('A' + j));
       if (!control.empty() && first != control && second != control) continue;
       Comparison& comparison = judged.comparisons.emplace_back(kinds[pair++]);
+      comparison.first_index = i, comparison.second_index = j;
       comparison.first = first, comparison.second = second, comparison.scale = EffectScale::ratio;
     }
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -93,7 +94,8 @@ std::size_t size_of(const Group& group) {
 struct Pair {
   const Group *a, *b;
   const Method* method;
-  EffectScale scale = EffectScale::difference;  // of the amount
+  std::size_t first_index = 0, second_index = 0;  // of the groups in the observations
+  EffectScale scale = EffectScale::difference;    // of the amount
   double smallest_p = 1;
   int n = 0;
   std::optional<NotTested> open = {};
@@ -194,9 +196,18 @@ DeterministicResult fact_of(const MetricSamples& samples, const AnalysisPlan& pl
                                                               : Verdict::equivalent};
 }
 
+// Returns the comparison of a pair, without a result.
+Comparison comparison_of(const Pair& pair) {
+  return {.first = pair.a->name,
+          .second = pair.b->name,
+          .first_index = pair.first_index,
+          .second_index = pair.second_index,
+          .scale = pair.scale};
+}
+
 // The verdict of p, with an amount that cannot refute it. The pair's groups have the same blocks.
 Comparison judged_on_common(const MetricSamples& samples, const AnalysisPlan& plan, const Pair& pair, double tests) {
-  Comparison comparison{.first = pair.a->name, .second = pair.b->name, .scale = pair.scale};
+  Comparison comparison = comparison_of(pair);
   if (pair.open) {
     comparison.result = *pair.open;
     return comparison;
@@ -299,13 +310,15 @@ std::vector<Pair> pairs_of(const MetricSamples& samples, const std::vector<Group
     throw std::invalid_argument(fmt::format("--control: {}", base::front(unknown, 1000)));
   }
   std::vector<Pair> pairs;
-  for (auto a = samples.groups.begin(); a != samples.groups.end(); ++a) {
-    for (auto b = a + 1; b != samples.groups.end(); ++b) {
+  for (std::size_t i = 0; i < samples.groups.size(); ++i) {
+    for (std::size_t j = i + 1; j < samples.groups.size(); ++j) {
+      const Group *const a = &samples.groups[i], *const b = &samples.groups[j];
       if (!plan.control.empty() && a->name != plan.control && b->name != plan.control) continue;
-      Pair& pair = pairs.emplace_back(Pair{.a = &*a, .b = &*b, .method = &method_of(samples, plan, *a, *b)});
+      Pair& pair = pairs.emplace_back(
+          Pair{.a = a, .b = b, .method = &method_of(samples, plan, *a, *b), .first_index = i, .second_index = j});
       if (pair.method->by == By::ranks && !rising.empty()) {
-        pair.a = &rising[static_cast<std::size_t>(a - samples.groups.begin())];
-        pair.b = &rising[static_cast<std::size_t>(b - samples.groups.begin())];
+        pair.a = &rising[i];
+        pair.b = &rising[j];
       }
       const bool has_differences =
           samples.scale == EffectScale::ratio && pair.method->by != By::ranks && !samples.is_log_scale;
@@ -415,11 +428,26 @@ std::vector<std::vector<Comparison>> compare(const std::vector<FamilyMember>& fa
   return comparisons;
 }
 
+void set_group_indices(std::vector<Comparison>& comparisons, const MetricSamples& samples) {
+  std::map<std::string_view, std::size_t> indices;
+  for (const Group& group : samples.groups) indices.emplace(group.name, indices.size());
+  const auto index_of_group = [&](const std::string& name) {
+    const auto found = indices.find(name);
+    if (found == indices.end()) throw std::invalid_argument(fmt::format("a comparison names no group: {}", name));
+    return found->second;
+  };
+  for (Comparison& comparison : comparisons) {
+    comparison.first_index = index_of_group(comparison.first);
+    comparison.second_index = index_of_group(comparison.second);
+  }
+}
+
 Comparison better_first(Comparison comparison, std::string_view control, bool is_second_ahead) {
   const Verdict verdict = verdict_of(comparison);
   const bool is_behind = is_difference(verdict) ? verdict == Verdict::worse : is_second_ahead;
   if (control.empty() ? !is_behind : comparison.first != control) return comparison;
   std::swap(comparison.first, comparison.second);
+  std::swap(comparison.first_index, comparison.second_index);
   if (auto& amount = comparison.estimate) {
     const auto end = [&](double value) { return comparison.scale == EffectScale::ratio ? 1 / value : 0 - value; };
     amount->value = end(amount->value);

@@ -2,6 +2,7 @@
 // whatever it is of: studies, files, gates, claims and readings have no other rule.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <string>
@@ -57,9 +58,11 @@ struct NotTested {
   int required_n = 0;  // if too few: how many, in each group, could decide
 };
 
+// The result for one pair of groups in one metric.
 struct Comparison {
-  std::string first = {}, second = {};
-  EffectScale scale = EffectScale::difference;  // of the amount; means have differences
+  std::string first = {}, second = {};            // names of the groups
+  std::size_t first_index = 0, second_index = 0;  // the places of these groups in MetricSamples::groups
+  EffectScale scale = EffectScale::difference;    // of the amount; means have differences
   std::optional<EffectEstimate> estimate =
       {};  // of what is tested, if it does not refute the verdict; of facts, and of few
   std::variant<TestResult, DeterministicResult, NotTested> result = NotTested();
@@ -104,6 +107,10 @@ bool is_dominated(const Group& group);
 
 // A mean or median is worse than another by more than the margin.
 bool is_worse_beyond_margin(const MetricSamples& samples, const AnalysisPlan& plan, double one, double other);
+
+// Sets the indices of comparisons that were made of other samples, such as of a part of these groups. Throws
+// std::invalid_argument if a comparison names a group that the samples do not have.
+void set_group_indices(std::vector<Comparison>& comparisons, const MetricSamples& samples);
 
 // The same pair, told with its better one first, or if none is with its second where that is ahead; or else with the
 // control second.
