@@ -471,7 +471,7 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
                                     .sd = number(*columns.sd, 0)};
     groups.push_back({.name = name, .sample = summary});
     if (summary.sd > 0) continue;  // else, or if it was rounded away, the spread would decide everything
-    groups.back().sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::zero_spread, .printed = summary};
+    groups.back().sample = ExcludedSample{.reason = ExclusionReason::zero_spread, .printed = summary};
     samples.warnings.push_back(
         {.kind = WarningKind::deterministic, .solvers = {name}, .count = size, .total = size, .detail = "value"});
   }

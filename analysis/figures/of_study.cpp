@@ -67,7 +67,7 @@ std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_vie
   std::vector<std::string> without;
   for (const Group& group : metric->samples.groups) {
     const auto* const its = excluded(group);
-    const bool is_lost = its && its->reason != ExcludedSample::NotTestedReason::nothing_solved && its->values.empty();
+    const bool is_lost = its && its->reason != ExclusionReason::nothing_solved && its->values.empty();
     if (is_lost || is_doubted(group)) without.push_back(group.name);
   }
   return without;

@@ -18,7 +18,7 @@ void add_doubt(JudgedMetric& judged) {
   Warning warning{.kind = WarningKind::dominated_by_few,
                   .detail = (judged.samples.is_log_scale ? "" : "mean ") + judged.samples.quantity};
   const auto is_left = [](const Comparison& comparison) {
-    return is_not_tested(comparison, NotTested::NotTestedReason::dominated);
+    return is_not_tested(comparison, NotTestedReason::dominated);
   };
   if (std::ranges::none_of(judged.comparisons, is_left)) return;
   for (const Group& group : judged.samples.groups)

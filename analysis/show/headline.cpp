@@ -120,10 +120,9 @@ std::string why_not(const ReportModel& answer, const JudgedMetric& judged, const
     if (!open || (!named.contains(comparison.first) && !named.contains(comparison.second))) continue;
     std::string reason = reason_text(*open, observation_noun(answer, judged));
     for (const Warning& warning : judged.samples.warnings) {
-      if (open->reason == NotTested::NotTestedReason::not_comparable &&
-          warning.kind == WarningKind::times_not_comparable)
+      if (open->reason == NotTestedReason::not_comparable && warning.kind == WarningKind::times_not_comparable)
         reason = warning.detail;
-      if (open->reason == NotTested::NotTestedReason::not_comparable && warning.kind == WarningKind::time_limit_decides)
+      if (open->reason == NotTestedReason::not_comparable && warning.kind == WarningKind::time_limit_decides)
         reason = "stopped by the time limit";
     }
     reasons.insert(std::move(reason));

@@ -71,7 +71,7 @@ const VerdictStyle& verdict_words(Verdict verdict) {
   return all[static_cast<std::size_t>(verdict)];
 }
 
-ReasonTexts reason_words(NotTested::NotTestedReason why) {
+ReasonTexts reason_words(NotTestedReason why) {
   constexpr std::array<ReasonTexts, 9> all{
       {{"lost", "values are missing", "values are missing"},
        {"infinite", "infinite values have no mean", "infinite values have no mean"},
@@ -87,7 +87,7 @@ ReasonTexts reason_words(NotTested::NotTestedReason why) {
 }
 
 std::string reason_text(const NotTested& open, std::string_view noun) {
-  if (open.reason != NotTested::NotTestedReason::sample_too_small || open.n == 0)
+  if (open.reason != NotTestedReason::sample_too_small || open.n == 0)
     return std::string(reason_words(open.reason).of_pair);
   return fmt::format("{} {} too few, {} are needed", base::counted(open.n, noun), open.n == 1 ? "is" : "are",
                      open.required_n);

@@ -32,7 +32,7 @@ const VerdictStyle& verdict_words(judge::Verdict verdict);
 struct ReasonTexts {
   std::string_view key, of_pair, of_solver;
 };
-ReasonTexts reason_words(judge::NotTested::NotTestedReason why);
+ReasonTexts reason_words(judge::NotTestedReason why);
 std::string reason_text(const judge::NotTested& open, std::string_view noun);  // "8 runs are too few, 10 are needed"
 std::string warning_sentence(const judge::Warning& warning);                   // a sentence
 // "times", "points", or the metric's unit.

@@ -126,7 +126,7 @@ Cell result_cell(const ReportModel& answer, const OfMetric& metric, const std::s
   const BoundedValue shown =
       is_only_one ? displayed_average(judged, i) : show::displayed(judged, i, has_means ? its.mean : its.median);
   if (std::isnan(shown.value))
-    return MissingCell{excluded(group) ? std::string(reason_words(excluded(group)->reason).of_solver)
+    return MissingCell{excluded(group) ? std::string(reason_words(not_tested_reason(excluded(group)->reason)).of_solver)
                                        : "without a value"};
   cell.value = shown.value, cell.is_bound = shown.is_bound;
   cell.interval = interval_of(judged, its);
@@ -154,7 +154,7 @@ std::string why_too_few(const ReportModel& answer) {
     for (const Comparison& comparison : judged.comparisons) {
       const auto* const open = std::get_if<NotTested>(&comparison.result);
       if (open == nullptr) continue;
-      const bool is_told = open->reason == NotTested::NotTestedReason::sample_too_small && open->n > 0;
+      const bool is_told = open->reason == NotTestedReason::sample_too_small && open->n > 0;
       reasons.insert(is_told ? reason_text(*open, observation_noun(answer, judged)) : "");
     }
   }

@@ -168,10 +168,10 @@ TEST_CASE("mean ranks are those of the blocks, with a critical difference where 
   CHECK(contains(unpaired, "A12"));
   CHECK_FALSE(contains(unpaired, "critical"));
   of.is_paired = true;
-  of.groups[1].sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::not_comparable};
+  of.groups[1].sample = ExcludedSample{.reason = ExclusionReason::not_comparable};
   CHECK(contains(ranked({})->caption, "0.741"));  // of three alone: 2.344 sqrt(3 * 4 / (6 * 20))
   CHECK(contains(ranked({})->caption, "Without B: "));
-  of.groups[2].sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::not_comparable};
+  of.groups[2].sample = ExcludedSample{.reason = ExclusionReason::not_comparable};
   CHECK_FALSE(ranked({}));
 }
 

@@ -62,7 +62,7 @@ int fewest(int k, bool is_paired, const std::string& control) {
     MetricSamples of = groups_of(groups);
     of.is_paired = is_paired;
     const std::vector<Seen> comparisons = compared(of, {.control = control});
-    const auto is_tested = [](const Seen& each) { return each.why == NotTestedReason::tested; };
+    const auto is_tested = [](const Seen& each) { return each.why == SeenReason::tested; };
     if (std::ranges::all_of(comparisons, is_tested)) {
       CHECK(std::ranges::all_of(comparisons, [](const Seen& each) { return each.verdict == Verdict::better; }));
       return n;
@@ -84,13 +84,13 @@ TEST_CASE("too few is a formula of sizes, pairs and significance", "[compare]") 
     CHECK(fewest(k, true, "A") == std::vector{6, 7, 7, 8, 8}[at]);
   }
   const MetricSamples six = paired(groups_of({ramp(6, 1, 0.1), ramp(6, 9, 0.1)}));  // p = 2 / 64, which has to be below
-  CHECK(only(compared(six, {.significance = 1 / 32.0})).why == NotTestedReason::too_few);
+  CHECK(only(compared(six, {.significance = 1 / 32.0})).why == SeenReason::too_few);
 }
 
 TEST_CASE("a pair that is not tested says how many it takes, and nothing of its few values", "[compare]") {
   const Seen found = only(compared(groups_of({{1, 2, 3}, {4, 8, 12}}), by_ranks));
   CHECK(found.verdict == Verdict::not_tested);
-  CHECK(found.why == NotTestedReason::too_few);
+  CHECK(found.why == SeenReason::too_few);
   CHECK(found.needed == 4);
   CHECK_FALSE(found.p);
   CHECK_FALSE(found.interval);
@@ -332,10 +332,10 @@ TEST_CASE("an interval of shares ends at 1", "[compare]") {
 TEST_CASE("Fisher's smallest p is one table of groups of two sizes, two of equal ones", "[compare]") {
   const MetricSamples unequal = groups_of({solved(3, 3), solved(0, 4)}, EffectScale::share);
   CHECK(*only(compared(unequal, by_ranks)).p == Approx(1 / 35.0));
-  CHECK(only(compared(unequal, {.significance = 0.0285})).why == NotTestedReason::too_few);
+  CHECK(only(compared(unequal, {.significance = 0.0285})).why == SeenReason::too_few);
   const MetricSamples equal = groups_of({solved(4, 4), solved(0, 4)}, EffectScale::share);
   CHECK(*only(compared(equal, by_ranks)).p == Approx(2 / 70.0));
-  CHECK(only(compared(equal, {.significance = 0.0285})).why == NotTestedReason::too_few);
+  CHECK(only(compared(equal, {.significance = 0.0285})).why == SeenReason::too_few);
 }
 
 TEST_CASE("one target solved among many does not keep shares from a verdict", "[compare]") {
@@ -350,7 +350,7 @@ TEST_CASE("two solvers that repeat themselves differ by a fact", "[compare]") {
   MetricSamples of = groups_of({{2}, {4}});
   for (Group& group : of.groups) group.sample = Sample{.values = {values_of(group).front()}, .is_deterministic = true};
   const Seen found = only(compared(of, by_ranks));
-  CHECK(found.why == NotTestedReason::fact);
+  CHECK(found.why == SeenReason::fact);
   CHECK(found.verdict == Verdict::better);
   CHECK(*found.estimate == Approx(0.5));
   CHECK_FALSE(found.p);
@@ -381,7 +381,7 @@ TEST_CASE("which group stands first changes no p", "[compare]") {
     const std::vector<double> copied(45, 1), others{2, 3, 4};
     MetricSamples of = groups_of({are_first ? copied : others, are_first ? others : copied});
     sample_of(of.groups[are_first ? 0 : 1]).is_constant = true;
-    CHECK(only(compared(of, by_ranks)).why == NotTestedReason::too_few);
+    CHECK(only(compared(of, by_ranks)).why == SeenReason::too_few);
   }
 }
 
@@ -400,7 +400,7 @@ TEST_CASE("runs are compared with the value of a solver that repeats itself by t
   CHECK(only(compared(of, by_ranks)).verdict == Verdict::inconclusive);
   values_in(of.groups[1]) = {2, 3, 4, 5, 6};
   const Seen few = only(compared(of, by_ranks));
-  CHECK(few.why == NotTestedReason::too_few);
+  CHECK(few.why == SeenReason::too_few);
   CHECK(few.n == 5);
   CHECK(few.needed == 6);
 }
@@ -471,7 +471,7 @@ TEST_CASE("of equal values that may be copies the larger p of two readings decid
   for (int i = 0; i < 20; ++i) spread.push_back(1.5 + 0.1 * i);
   CHECK(*found_of(std::vector(20, 1.0), spread).p == Approx(1.91e-6).epsilon(0.002));  // the sign test
   CHECK(*found_of(std::vector(10, 1.0), std::vector(10, 2.0)).p == Approx(1.08e-5).epsilon(0.003));
-  CHECK(found_of(std::vector(3, 1.0), std::vector(3, 2.0)).why == NotTestedReason::too_few);
+  CHECK(found_of(std::vector(3, 1.0), std::vector(3, 2.0)).why == SeenReason::too_few);
 }
 
 TEST_CASE("verdicts may form a circle", "[compare]") {
@@ -516,10 +516,10 @@ TEST_CASE("A pair has the blocks that both groups have, and can decide what thei
   CHECK(comparisons[0].n == 6);
   CHECK(*comparisons[0].p == 2 / 64.0);
   CHECK(*comparisons[0].estimate == Approx(0.0776131597));
-  CHECK(comparisons[1].why == NotTestedReason::too_few);
+  CHECK(comparisons[1].why == SeenReason::too_few);
   CHECK(comparisons[1].n == 0);
   CHECK_FALSE(comparisons[1].estimate);
-  CHECK(comparisons[2].why == NotTestedReason::too_few);
+  CHECK(comparisons[2].why == SeenReason::too_few);
   CHECK(comparisons[2].n == 3);
   CHECK_FALSE(comparisons[2].estimate);  // of so few it would say more than it can
 }

@@ -270,8 +270,7 @@ show::ReportModel drawn_answer(Random& random, std::size_t k, double least_solve
     const std::string name(1, static_cast<char>('A' + g));
     solved.groups.push_back({.name = name, .sample = std::move(is_solved)});
     times.groups.push_back({.name = name, .sample = std::move(logs)});
-    if (!are_times_judged)
-      times.groups.back().sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::not_comparable};
+    if (!are_times_judged) times.groups.back().sample = ExcludedSample{.reason = ExclusionReason::not_comparable};
     evaluations.groups.push_back({.name = name, .sample = std::move(counts)});
   }
   const AnalysisPlan plan;

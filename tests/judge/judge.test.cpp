@@ -59,7 +59,7 @@ TEST_CASE("The plan's test, level, margin and control reach the comparison") {
   };
   CHECK(seen(judged(R"({"test": "means"})").comparisons.front()).test == "Welch's t");
   CHECK(judged(R"({"control": "B"})").comparisons.size() == 2);
-  CHECK(seen(judged(R"({"significance": 0.0001})").comparisons.front()).why == NotTestedReason::too_few);
+  CHECK(seen(judged(R"({"significance": 0.0001})").comparisons.front()).why == SeenReason::too_few);
   CHECK_FALSE(seen(judged(R"({})").comparisons.front()).is_within_margin);
   CHECK(seen(judged(R"({"margin_percent": 99})").comparisons.front()).is_within_margin);
 }

@@ -192,7 +192,7 @@ TEST_CASE("Where targets have a tolerance, costs are of those that were solved, 
     solve.status = solve.label == "A" ? Status::tolerance_missed : Status::ok;
   };
   const MetricSamples of_path = observed(study({.start = "previous", .tolerance_cm = 1}, misses_all), "variation_deg");
-  CHECK(std::get<ExcludedSample>(group(of_path, "A").sample).reason == ExcludedSample::NotTestedReason::nothing_solved);
+  CHECK(std::get<ExcludedSample>(group(of_path, "A").sample).reason == ExclusionReason::nothing_solved);
   CHECK(list_of(group(of_path, "B")).size() == 5);
 }
 
@@ -201,8 +201,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   const auto apart = [](const MetricSamples& of) {
     std::string names;
     for (const Group& each : of.groups)
-      names +=
-          excluded(each) && excluded(each)->reason == ExcludedSample::NotTestedReason::not_comparable ? each.name : "";
+      names += excluded(each) && excluded(each)->reason == ExclusionReason::not_comparable ? each.name : "";
     return names;
   };
   const MetricSamples five =
@@ -213,7 +212,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   CHECK(list_of(group(times(without_times(study(chained, as_made))), "A")).front() == Approx(std::log(1e-9)));
   const auto one_slow = [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = solve.run == 1 ? 9 : 1; };
   CHECK(compared(times(study(chained, one_slow)), {}).front().why ==
-        NotTestedReason::tested);  // though other logarithms are 0
+        SeenReason::tested);  // though other logarithms are 0
   for (const Timing timing : {Timing::parallel, Timing::debug_build}) {
     const MetricSamples all = times(study(chained, [&](SolveRecord& solve) {
       if (solve.label == "A") solve.timing = timing;
@@ -420,7 +419,7 @@ TEST_CASE("Times of 0 per solved are not compared") {
     solve.status = solve.point == 20 ? Status::tolerance_missed : Status::ok;
   };
   const MetricSamples of = make_samples(without_times(study(asked, misses)), metric_named("seconds_per_solved"));
-  CHECK(std::get<ExcludedSample>(group(of, "A").sample).reason == ExcludedSample::NotTestedReason::not_comparable);
+  CHECK(std::get<ExcludedSample>(group(of, "A").sample).reason == ExclusionReason::not_comparable);
   CHECK(compared(of, {}).front().verdict == Verdict::not_tested);
 }
 
@@ -556,12 +555,12 @@ TEST_CASE("one solve that takes most of the time decides no cost per solved targ
     return *find_metric(judge::judge(of), "evaluations_per_solved");
   };
   const JudgedMetric slow = judged_with(100'000);
-  CHECK(seen(slow.comparisons.front()).why == NotTestedReason::few_decide);
+  CHECK(seen(slow.comparisons.front()).why == SeenReason::few_decide);
   CHECK(slow.samples.warnings.front().solvers == std::vector<std::string>{"B"});
   const Seen even = seen(judged_with(100).comparisons.front());
   CHECK((even.verdict == Verdict::better && even.estimate && !even.interval));  // of 16 solved ones
   CHECK(seen(judged_with(61, 16, 50).comparisons.front()).verdict == Verdict::inconclusive);
-  CHECK(seen(judged_with(100, 3).comparisons.front()).why == NotTestedReason::few_decide);
+  CHECK(seen(judged_with(100, 3).comparisons.front()).why == SeenReason::few_decide);
 }
 
 TEST_CASE("what attempts spent is by what they solved, and the spread of its parts is its error") {

@@ -22,13 +22,13 @@ using results::Status;
 using results::Timing;
 
 // A finding with all that some kinds of findings have.
-enum class NotTestedReason { tested, lost, apart, fact, too_few, few_decide };
+enum class SeenReason { tested, lost, apart, fact, too_few, few_decide };
 struct Seen : Comparison {
   std::optional<double> estimate = {}, p = {}, effect = {};
   std::optional<Interval> interval = {};
   std::string_view test = {};
   Verdict verdict = Verdict::not_tested;
-  NotTestedReason why = NotTestedReason::tested;
+  SeenReason why = SeenReason::tested;
   bool is_within_margin = false, are_all_equal = false;
   int n = 0, needed = 0;
 };
@@ -43,12 +43,12 @@ inline Seen seen(const Comparison& comparison) {
     if (tested->dominance) all.effect = tested->dominance->a12();
   } else if (const auto* const open = std::get_if<NotTested>(&comparison.result)) {
     all.n = open->n, all.needed = open->required_n;
-    all.why = open->reason == NotTested::NotTestedReason::sample_too_small ? NotTestedReason::too_few
-              : open->reason == NotTested::NotTestedReason::missing_values ? NotTestedReason::lost
-              : open->reason == NotTested::NotTestedReason::dominated      ? NotTestedReason::few_decide
-                                                                           : NotTestedReason::apart;
+    all.why = open->reason == NotTestedReason::sample_too_small ? SeenReason::too_few
+              : open->reason == NotTestedReason::missing_values ? SeenReason::lost
+              : open->reason == NotTestedReason::dominated      ? SeenReason::few_decide
+                                                                : SeenReason::apart;
   } else {
-    all.why = NotTestedReason::fact;
+    all.why = SeenReason::fact;
   }
   return all;
 }

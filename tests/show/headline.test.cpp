@@ -16,7 +16,7 @@ ReportModel answer_of_three(std::vector<double> time_of_b, bool are_times_compar
   times.min_blocks = 4;
   if (!are_times_compared)
     for (judge::Group& group : times.groups)
-      group.sample = judge::ExcludedSample{.reason = judge::ExcludedSample::NotTestedReason::not_comparable};
+      group.sample = judge::ExcludedSample{.reason = judge::ExclusionReason::not_comparable};
   ReportModel answer = answer_of(
       std::vector{judged(shares({{"A", solved(20)}, {"B", solved(20)}, {"C", solved(3)}})), judged(std::move(times)),
                   judged(costs(numbers(

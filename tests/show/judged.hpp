@@ -91,7 +91,7 @@ inline judge::JudgedStudy judged_study(const std::string& mine = "mine") {
   judge::MetricSamples times = numbers(
       "time", "time", "s",
       {{mine, values_around(0.084, 0.2)}, {"PSO", values_around(4.5e-5, 0.2)}, {"DLS", values_around(4.2e-6, 0.2)}});
-  times.groups[0].sample = judge::ExcludedSample{.reason = judge::ExcludedSample::NotTestedReason::not_comparable,
+  times.groups[0].sample = judge::ExcludedSample{.reason = judge::ExclusionReason::not_comparable,
                                                  .values = std::get<judge::Sample>(times.groups[0].sample).values};
   add(std::move(times));
   all.metrics.back().samples.warnings.push_back({.kind = judge::WarningKind::times_not_comparable,

@@ -323,7 +323,7 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
   INFO(by_means);
   CHECK(contains(by_means, "B        100 % (84-100) +   +2.08 deg *"));
   CHECK(contains(by_means, "Motion: differences from A's"));
-  costs.groups[2].sample = judge::ExcludedSample{.reason = judge::ExcludedSample::NotTestedReason::not_comparable,
+  costs.groups[2].sample = judge::ExcludedSample{.reason = judge::ExclusionReason::not_comparable,
                                                  .values = std::get<judge::Sample>(costs.groups[2].sample).values};
   costs.groups[0].sample = judge::Sample{};
   CHECK(text(costs).find("A        30 % (15-52) *   -") != std::string::npos);  // it solved nothing that B did
@@ -341,8 +341,7 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
 TEST_CASE("where only the reference was timed on a busy machine, it alone has the mark", "[show]") {
   const auto a = values_around(1, 0.5), b = values_around(3, 0.5);
   judge::MetricSamples times = numbers("time", "time", "ms", {{"A", a}, {"B", b}, {"C", b}});
-  times.groups[0].sample =
-      judge::ExcludedSample{.reason = judge::ExcludedSample::NotTestedReason::not_comparable, .values = a};
+  times.groups[0].sample = judge::ExcludedSample{.reason = judge::ExclusionReason::not_comparable, .values = a};
   const Table table = results_table(
       answer_of({judged(shares({{"A", solved(20)}, {"B", solved(9)}, {"C", solved(8)}})), judged(std::move(times))}));
   std::string marks;

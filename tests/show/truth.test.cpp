@@ -46,10 +46,10 @@ const std::vector<Comparison>& all_kinds() {
       fact(Verdict::better, 0.5),
       fact(Verdict::worse, 2),
       fact(Verdict::equivalent, 1.01),
-      {.result = NotTested{.reason = NotTested::NotTestedReason::sample_too_small, .n = 3, .required_n = 4}},
-      {.result = NotTested{.reason = NotTested::NotTestedReason::missing_values}},
-      {.result = NotTested{.reason = NotTested::NotTestedReason::not_comparable}},
-      {.result = NotTested{.reason = NotTested::NotTestedReason::dominated, .n = 20}}};
+      {.result = NotTested{.reason = NotTestedReason::sample_too_small, .n = 3, .required_n = 4}},
+      {.result = NotTested{.reason = NotTestedReason::missing_values}},
+      {.result = NotTested{.reason = NotTestedReason::not_comparable}},
+      {.result = NotTested{.reason = NotTestedReason::dominated, .n = 20}}};
   return kinds;
 }
 

@@ -37,20 +37,16 @@ struct SummaryStatistics {  // as papers print it
   double mean = 0;
   double sd = 0;  // divided by n - 1
 };
-struct ExcludedSample {         // not compared; what there is can be described
-  enum class NotTestedReason {  // of several, the first
-    missing_values,             // observations have no value
-    infinite_values,            // means cannot count those without an answer
-    not_comparable,             // timed or counted otherwise, or ended by the clock
-    zero_spread,                // a printed deviation of 0, which would decide everything
-    nothing_solved,             // nothing was solved, so nothing has a cost
-    no_answer,                  // all values of both groups are infinite
-    copies,                     // both groups have one number each, and nothing tells measurements from copies
-    // Of two groups that are both told:
-    sample_too_small,  // no data of this size could decide
-    dominated          // one value is so much of a group's sum that its mean shows nothing better
-  };
-  NotTestedReason reason = NotTestedReason::missing_values;
+// Why a group takes part in no test. If several reasons hold, the first counts.
+enum class ExclusionReason {
+  missing_values,   // some solves or rows have no value
+  infinite_values,  // some are without an answer, which no mean can count
+  not_comparable,   // timed or counted in another way, or ended by the clock
+  zero_spread,      // a printed deviation of 0, which would decide everything
+  nothing_solved    // no target was solved, so no answer has a cost
+};
+struct ExcludedSample {  // not compared; what there is can be described
+  ExclusionReason reason = ExclusionReason::missing_values;
   int missing = 0;  // observations without a value
   std::vector<double> values = {};
   std::optional<SummaryStatistics> printed = {};

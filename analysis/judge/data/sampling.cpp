@@ -145,7 +145,7 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   if (metric.kind == MetricKind::ert || is_of_answers(study, metric)) {
     const std::vector<Value> solved = means_of(values_of(study, metric_named("solved"), solver));
     if (!solved.empty() && std::ranges::all_of(solved, [](const Value& each) { return each.value == 0; })) {
-      group.sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::nothing_solved};
+      group.sample = ExcludedSample{.reason = ExclusionReason::nothing_solved};
       return group;
     }
     if (metric.kind == MetricKind::ert) values = spent_by_solved(std::move(values), solved, measured);
@@ -159,9 +159,8 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   const bool are_equal = measured.values.size() > 1 &&
                          std::ranges::count(measured.values, measured.values.front()) == std::ssize(measured.values);
   if (lost > 0)
-    group.sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::missing_values,
-                                  .missing = lost,
-                                  .values = std::move(measured.values)};
+    group.sample = ExcludedSample{
+        .reason = ExclusionReason::missing_values, .missing = lost, .values = std::move(measured.values)};
   else if (!is_paired && are_equal && repeats_itself(study, solver))
     group.sample = Sample{.values = {measured.values.front()}, .is_deterministic = true};
   else
@@ -213,10 +212,9 @@ Group group_of_times(const StudyResults& study, const Metric& metric, const std:
   if (!are_apart && (!is_ert || is_solved_here))
     group.sample = std::move(measured);
   else if (!is_any_solved && !is_share && (is_ert || study.definition.has_tolerance()))
-    group.sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::nothing_solved};
+    group.sample = ExcludedSample{.reason = ExclusionReason::nothing_solved};
   else
-    group.sample =
-        ExcludedSample{.reason = ExcludedSample::NotTestedReason::not_comparable, .values = std::move(measured.values)};
+    group.sample = ExcludedSample{.reason = ExclusionReason::not_comparable, .values = std::move(measured.values)};
   return group;
 }
 
@@ -230,8 +228,7 @@ MetricSamples observe_times(const StudyResults& study, const Metric& metric) {
   for (std::size_t i = 0; i < study.labels.size(); ++i) {
     const std::string& label = study.labels[i];
     if (study.imported.has(label) || study.batch_timings.contains(label)) {
-      samples.groups.push_back(
-          {.name = label, .sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::not_comparable}});
+      samples.groups.push_back({.name = label, .sample = ExcludedSample{.reason = ExclusionReason::not_comparable}});
       continue;
     }
     // A share of deadlines counts busy sessions, too: they are no random sample, and leaving them out would flatter.
@@ -296,13 +293,11 @@ MetricSamples make_samples(const StudyResults& study, const Metric& metric) {
       return warning.solvers.empty() || std::ranges::count(warning.solvers, group.name) > 0;
     });
     const ExcludedSample* const its = excluded(group);
-    if (its && its->reason == ExcludedSample::NotTestedReason::not_comparable && !is_doubted &&
-        metric.kind != MetricKind::success_rate)
+    if (its && its->reason == ExclusionReason::not_comparable && !is_doubted && metric.kind != MetricKind::success_rate)
       unsolved.solvers.push_back(group.name);
     if (its || !is_doubted) continue;  // a group that lost values stays so: the stronger reason
     const std::span<const double> values = judge::values_of(group);
-    group.sample = ExcludedSample{.reason = ExcludedSample::NotTestedReason::not_comparable,
-                                  .values = {values.begin(), values.end()}};
+    group.sample = ExcludedSample{.reason = ExclusionReason::not_comparable, .values = {values.begin(), values.end()}};
   }
   if (!unsolved.solvers.empty()) samples.warnings.push_back(std::move(unsolved));
   return samples;

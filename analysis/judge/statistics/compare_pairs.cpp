@@ -236,7 +236,7 @@ Comparison judged_on_common(const MetricSamples& samples, const AnalysisPlan& pl
   // Of logarithms p itself would be that of few.
   if (are_means && (samples.is_log_scale || is_same || is_decided) &&
       (is_dominated(*pair.a) || is_dominated(*pair.b))) {
-    comparison.result = NotTested{.reason = NotTested::NotTestedReason::dominated, .n = pair.n};
+    comparison.result = NotTested{.reason = NotTestedReason::dominated, .n = pair.n};
     return comparison;
   }
   std::optional<Interval> interval;
@@ -275,21 +275,22 @@ Comparison judged(const MetricSamples& samples, const AnalysisPlan& plan, const 
   return judged_on_common(samples, plan, common, tests);
 }
 
-std::optional<NotTested::NotTestedReason> why_not(const Method& method, const Group& a, const Group& b,
-                                                  bool may_hold_copies) {
-  const auto is_none = [](double value) { return std::isinf(value); };
-  const auto has_none = [&](const Group& group) {  // no answer at all
-    return !values_of(group).empty() && std::ranges::all_of(values_of(group), is_none);
+// Returns why a pair cannot be tested, whatever its size; the first reason, if there are several.
+std::optional<NotTestedReason> reason_of(const Method& method, const Group& a, const Group& b, bool may_hold_copies) {
+  const auto is_infinite = [](double value) { return std::isinf(value); };
+  const auto has_no_answer = [&](const Group& group) {
+    return !values_of(group).empty() && std::ranges::all_of(values_of(group), is_infinite);
   };
-  std::set<NotTested::NotTestedReason> all;
-  if (has_none(a) && has_none(b)) all.insert(NotTested::NotTestedReason::no_answer);
-  if (may_hold_copies && is_constant(a) && is_constant(b)) all.insert(NotTested::NotTestedReason::copies);
+  std::optional<NotTestedReason> first;
+  const auto add = [&](NotTestedReason reason) { first = first ? std::min(*first, reason) : reason; };
+  if (has_no_answer(a) && has_no_answer(b)) add(NotTestedReason::no_answer);
+  if (may_hold_copies && is_constant(a) && is_constant(b)) add(NotTestedReason::copies);
   for (const Group* const group : {&a, &b}) {
-    if (method.by == By::means && std::ranges::any_of(values_of(*group), is_none))
-      all.insert(NotTested::NotTestedReason::infinite_values);
-    if (const ExcludedSample* const its = excluded(*group)) all.insert(its->reason);
+    if (method.by == By::means && std::ranges::any_of(values_of(*group), is_infinite))
+      add(NotTestedReason::infinite_values);
+    if (const ExcludedSample* const sample = excluded(*group)) add(not_tested_reason(sample->reason));
   }
-  return all.empty() ? std::nullopt : std::optional(*all.begin());
+  return first;
 }
 
 // Groups whose values rise, so that no pair sorts them again; none where values belong together by their places.
@@ -326,11 +327,11 @@ std::vector<Pair> pairs_of(const MetricSamples& samples, const std::vector<Group
       const auto [m, n] = common_sizes(*a, *b);
       const std::size_t few = std::min(m, n), many = std::max(m, n);
       pair.n = static_cast<int>(few > 0 && pair.has_one() ? many : few);
-      if (const auto why = why_not(*pair.method, *a, *b, samples.may_hold_copies))
+      if (const auto why = reason_of(*pair.method, *a, *b, samples.may_hold_copies))
         pair.open = NotTested{.reason = *why, .n = pair.n};
       else if (pair.n < samples.min_blocks)
-        pair.open = NotTested{
-            .reason = NotTested::NotTestedReason::sample_too_small, .n = pair.n, .required_n = samples.min_blocks};
+        pair.open =
+            NotTested{.reason = NotTestedReason::sample_too_small, .n = pair.n, .required_n = samples.min_blocks};
       const std::size_t differences = is_constant(*a) ? n : is_constant(*b) ? m : many;
       pair.smallest_p = pair.n == 0 ? 1 : pair.method->smallest_p(m, n, differences);
     }
@@ -352,8 +353,8 @@ std::size_t testable(std::vector<std::vector<Pair>>& members, double significanc
       if (pair->smallest_p < worst) return false;
       std::size_t n = 2;
       while (pair->method->smallest_p(pair->has_one() ? 1 : n, n, n) >= level) ++n;
-      pair->open = NotTested{
-          .reason = NotTested::NotTestedReason::sample_too_small, .n = pair->n, .required_n = static_cast<int>(n)};
+      pair->open =
+          NotTested{.reason = NotTestedReason::sample_too_small, .n = pair->n, .required_n = static_cast<int>(n)};
       return true;
     });
   }
@@ -370,12 +371,28 @@ std::string_view name_of(Verdict verdict) {
 Verdict verdict_of(const Comparison& comparison) {
   if (const auto* const tested = std::get_if<TestResult>(&comparison.result)) return tested->verdict;
   if (const auto* const fact = std::get_if<DeterministicResult>(&comparison.result)) return fact->verdict;
-  return is_not_tested(comparison, NotTested::NotTestedReason::dominated) ? Verdict::inconclusive : Verdict::not_tested;
+  return is_not_tested(comparison, NotTestedReason::dominated) ? Verdict::inconclusive : Verdict::not_tested;
 }
 
-bool is_not_tested(const Comparison& comparison, NotTested::NotTestedReason why) {
+NotTestedReason not_tested_reason(ExclusionReason reason) {
+  switch (reason) {
+    case ExclusionReason::missing_values:
+      return NotTestedReason::missing_values;
+    case ExclusionReason::infinite_values:
+      return NotTestedReason::infinite_values;
+    case ExclusionReason::not_comparable:
+      return NotTestedReason::not_comparable;
+    case ExclusionReason::zero_spread:
+      return NotTestedReason::zero_spread;
+    case ExclusionReason::nothing_solved:
+      return NotTestedReason::nothing_solved;
+  }
+  return NotTestedReason::not_comparable;
+}
+
+bool is_not_tested(const Comparison& comparison, NotTestedReason reason) {
   const auto* const open = std::get_if<NotTested>(&comparison.result);
-  return open != nullptr && open->reason == why;
+  return open != nullptr && open->reason == reason;
 }
 
 bool all_values_equal(const Comparison& comparison) {

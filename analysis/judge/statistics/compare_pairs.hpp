@@ -51,8 +51,22 @@ struct DeterministicResult {
   Verdict verdict = Verdict::equivalent;  // better and worse by more than the margin
 };
 
+// Why no test decides a pair. If several reasons hold, the first counts. The first five are those of a group.
+enum class NotTestedReason {
+  missing_values,    // some solves or rows of a group have no value
+  infinite_values,   // a group has values without an answer, which no mean can count
+  not_comparable,    // a group was timed or counted in another way, or ended by the clock
+  zero_spread,       // a group has a printed deviation of 0, which would decide everything
+  nothing_solved,    // a group solved no target, so that no answer has a cost
+  no_answer,         // all values of both groups are infinite
+  copies,            // both groups have one number each, and nothing tells measurements from copies
+  sample_too_small,  // no data of this size could decide
+  dominated          // one value is so much of a group's sum that its mean shows nothing better
+};
+// Returns the reason of a pair with a group that is excluded for this reason.
+NotTestedReason not_tested_reason(ExclusionReason reason);
+
 struct NotTested {
-  using NotTestedReason = ExcludedSample::NotTestedReason;
   NotTestedReason reason = NotTestedReason::sample_too_small;
   int n = 0;           // observations of the smaller group, or common blocks
   int required_n = 0;  // if too few: how many, in each group, could decide
@@ -71,7 +85,7 @@ struct Comparison {
 // What every finding has in common.
 Verdict verdict_of(const Comparison& comparison);  // few that decide leave it undecided
 constexpr double null_value(EffectScale scale) { return scale == EffectScale::ratio ? 1 : 0; }
-bool is_not_tested(const Comparison& comparison, NotTested::NotTestedReason why);
+bool is_not_tested(const Comparison& comparison, NotTestedReason reason);
 bool all_values_equal(const Comparison& comparison);  // no value differs
 
 // What decides the test, never how the values are spread:
