@@ -18,8 +18,8 @@ namespace ikbench::base {
 
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
 
-// How a field of a study contributes to the key of a series (experiments/study/writer.hpp). A change of this, or of a
-// name, makes stored solves obsolete.
+// How a field of a study contributes to the key of a series (experiments/study/series_key.hpp). A change of this, or of
+// a name, makes stored solves obsolete.
 enum class InKey {
   by_name,  // as "name value", unless it has its default: the usual case
   in_text,  // always: configuration_key writes the field, or the settings that follow from it

@@ -19,6 +19,7 @@
 #include "cli/running.hpp"
 #include "experiments/multiverse.hpp"
 #include "experiments/study/reader.hpp"
+#include "experiments/study/series_key.hpp"
 #include "experiments/study/writer.hpp"
 #include "results/fingerprint.hpp"
 #include "results/published.hpp"

@@ -8,7 +8,7 @@
 #include "base/embedded_file.hpp"
 #include "base/toml_table.hpp"
 #include "base/units.hpp"
-#include "experiments/study/writer.hpp"
+#include "experiments/study/series_key.hpp"
 #include "experiments/task.hpp"
 #include "experiments/verifier.hpp"
 

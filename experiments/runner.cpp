@@ -19,6 +19,7 @@
 #include "experiments/external/external_solver.hpp"
 #include "experiments/solve_runner.hpp"
 #include "experiments/stored_checks.hpp"
+#include "experiments/study/series_key.hpp"
 #include "experiments/study/writer.hpp"
 #include "solvers/registry.hpp"
 

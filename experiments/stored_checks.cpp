@@ -15,11 +15,11 @@
 
 #include "base/json.hpp"
 #include "base/names.hpp"
-#include "base/toml_table.hpp"
 #include "base/units.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/solve_runner.hpp"
-#include "experiments/study/writer.hpp"
+#include "experiments/study/reader.hpp"
+#include "experiments/study/series_key.hpp"
 #include "experiments/verifier.hpp"
 #include "results/export.hpp"
 #include "robots/robot.hpp"
@@ -82,9 +82,9 @@ void expect(const char* column, const SolveRecord& solve, double stored, double 
 // program.
 enum class Kind { ours, called, program };
 
-// Returns the entry of a built-in solver; nothing for others. A program may have the name of one.
-std::optional<SolverEntry> built_in(const Series& series) {
-  const Json options = parsed_json(series.options);
+// Returns the entry of a built-in solver with these `options`, which are those of the series; nothing for others. A
+// program may have the name of a built-in solver.
+std::optional<SolverEntry> built_in(const Series& series, const Json& options) {
   const std::vector<solvers::SolverInfo>& known = solvers::all_solvers();
   const auto info = std::ranges::find(known, series.algorithm, &solvers::SolverInfo::name);
   if (info == known.end() || !info->library.empty() || options.contains("process")) return std::nullopt;
@@ -102,6 +102,12 @@ std::optional<SolverEntry> built_in(const Series& series) {
       entry.options[name] = value.is_string() ? value.get<std::string>() : value.dump();
   }
   return entry;
+}
+
+Kind kind_of(const Series& series) {
+  const Json options = parsed_json(series.options);
+  if (built_in(series, options)) return Kind::ours;
+  return options.contains("process") ? Kind::program : Kind::called;
 }
 
 // Returns true if a solve of the study may have spent this. Built-in solvers are stopped after each iteration. Others
@@ -185,10 +191,7 @@ void check(const StudyDefinition& study, const Robot& arm, Kind kind, const Solv
 
 SolveVisitor answer_check(const StoredStudy& study) {
   std::map<std::string, Kind> kinds;  // by label
-  for (const Series& series : study.series)
-    kinds[series.label] = built_in(series)                                  ? Kind::ours
-                          : parsed_json(series.options).contains("process") ? Kind::program
-                                                                            : Kind::called;
+  for (const Series& series : study.series) kinds[series.label] = kind_of(series);
   return [definition = study.definition, arm = *study_in_store(study).robot_of_file, kinds](const SolveRecord& solve) {
     check(definition, arm, kinds.at(solve.label), solve);
   };
@@ -209,17 +212,7 @@ SolveVisitor stored_solve_check(const StoredStudy& study) {
 
 SolveVisitor target_replay_check(const StoredStudy& stored) {
   Study study = study_in_store(stored);
-  const toml::table all = toml_of(parsed_json(stored.definition.json));
-  TomlReader reader(all, "the definition of " + stored.name, "");
-  TomlReader path = reader.part("path");
-  for (const Path& kind : target_sets())
-    if (kind->name() == stored.definition.path) study.path = kind;
-  study.path->list_fields(path);
-  if (study.path->points() != stored.definition.points) return {};
-  const Configuration units = joint_units(study.robot_of_file->chain);
-  study.initial = study.initial.cwiseQuotient(units).eval();
-  reader.numbers("initial_deg", study.initial, 1, static_cast<int>(units.size()));
-  study.initial = study.initial.cwiseProduct(units).eval();
+  if (!read_stored_targets(stored, study)) return {};
   return [study, run = 0, poses = std::vector<Pose>(),
           own = std::vector<Configuration>()](const SolveRecord& solve) mutable {
     if (std::exchange(run, solve.run) != solve.run)
@@ -260,7 +253,7 @@ RerunReport rerun_sample(const Store& store, const StoredStudy& stored, std::int
   std::map<std::string, SolveRunner> runners;
   for (const Series& series : stored.series) {
     check_name(stored, series);
-    std::optional<SolverEntry> entry = built_in(series);
+    std::optional<SolverEntry> entry = built_in(series, parsed_json(series.options));
     if (!entry)
       found.external.push_back(series.label);
     else if (series.key.find(source_key(*entry)) == std::string::npos)

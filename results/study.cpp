@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "base/json.hpp"
 #include "base/toml_table.hpp"
@@ -71,7 +72,10 @@ void list_fields(base::Fields& io, StudySpec& study) {
 }
 
 StudyDefinition parse_definition(std::string_view json) {
-  const base::Json all = base::parsed_json(json);
+  return definition_of(base::parsed_json(json), std::string(json));
+}
+
+StudyDefinition definition_of(const base::Json& all, std::string json) {
   if (!all.is_object()) throw std::invalid_argument("the definition of a study is no JSON object");
   const toml::table table = base::toml_of(all);
   base::TomlReader reader(table, fmt::format("study {}", table["name"].value_or("without a name")), "");
@@ -81,7 +85,7 @@ StudyDefinition parse_definition(std::string_view json) {
                    check = reader.part("check");
   constexpr std::pair<std::int64_t, std::int64_t> counts{0, std::numeric_limits<int>::max()};
   StudyDefinition study;
-  study.json = json;
+  study.json = std::move(json);
   list_fields(reader, study);
   list_fields(stop, study.stop);
   list_fields(loop, study.loop);

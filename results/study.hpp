@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -212,5 +213,7 @@ struct StudyDefinition : StudySpec {
 // Reads a definition. Members that the text lacks keep their defaults. Throws std::invalid_argument if the text is no
 // JSON object, or if a value is impossible; the message has the study's name and the member.
 StudyDefinition parse_definition(std::string_view json);
+// Returns the definition in a JSON `document` whose text is `json`, and throws as above.
+StudyDefinition definition_of(const nlohmann::json& document, std::string json);
 
 }  // namespace ikbench::results

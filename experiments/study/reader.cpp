@@ -14,7 +14,7 @@
 #include "base/toml_table.hpp"
 #include "experiments/external/program.hpp"
 #include "experiments/study/reader_internal.hpp"
-#include "experiments/study/writer.hpp"
+#include "experiments/study/study_fields.hpp"
 #include "experiments/task.hpp"
 #include "results/export.hpp"
 #include "results/published.hpp"

@@ -31,6 +31,10 @@ Study load_study(const std::string& name_or_file, const Overrides& overrides = {
 // programs are started in the current folder, so the caller names them before (programs_of). Throws as parse_study
 // does.
 Study load_study(const results::Store& store, const results::StoredStudy& stored, const Overrides& overrides = {});
+// Sets the path and the initial configuration [rad, m] of `study` to those of a stored study; `study` must have the
+// arm. Returns false if the targets are poses of a file, which the definition does not have. Throws
+// std::invalid_argument if a value is impossible.
+bool read_stored_targets(const results::StoredStudy& stored, Study& study);
 // Returns the programs of a stored study, each with its arguments: those of its solvers and of its check.
 std::vector<std::vector<std::string>> programs_of(const results::StoredStudy& stored);
 // The registered name of a solver by its name or by the abbreviation that tables use, such as LM, in any case of

@@ -12,7 +12,6 @@
 #include "base/number.hpp"
 #include "experiments/external/program.hpp"
 #include "experiments/study/reader_internal.hpp"
-#include "experiments/study/writer.hpp"
 #include "experiments/task.hpp"
 
 namespace ikbench::experiments {

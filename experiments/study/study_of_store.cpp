@@ -79,17 +79,22 @@ class TargetsOfFile final : public TargetSet {
   Path fields_, targets_;
 };
 
+// Returns a path of the kind that a stored study has, with its defaults. Null if this program does not know the kind.
+Path path_of_kind(const StoredStudy& stored) {
+  const std::vector<Path> kinds = target_sets();
+  const auto found = std::ranges::find(kinds, stored.definition.path, [](const Path& kind) { return kind->name(); });
+  return found == kinds.end() ? nullptr : *found;
+}
+
 // Returns the path of a stored study, without the poses of a study file or of another file. Null if this program does
 // not know its kind.
 Path path_in(const StoredStudy& stored, const toml::table& definition) {
-  for (const Path& path : target_sets()) {
-    if (path->name() != stored.definition.path) continue;
-    TomlReader reader(definition, fmt::format("study {}", stored.name), "");
-    TomlReader fields = reader.part("path");
-    path->list_fields(fields);
-    return path;
-  }
-  return nullptr;
+  const Path path = path_of_kind(stored);
+  if (path == nullptr) return nullptr;
+  TomlReader reader(definition, fmt::format("study {}", stored.name), "");
+  TomlReader fields = reader.part("path");
+  path->list_fields(fields);
+  return path;
 }
 
 // Gives the entries of a study their colours, by label.
@@ -104,6 +109,20 @@ void give_colours(toml::table& study, const std::map<std::string, std::string>& 
 }
 
 }  // namespace
+
+bool read_stored_targets(const StoredStudy& stored, Study& study) {
+  const toml::table definition = toml_of(parsed_json(stored.definition.json));
+  TomlReader reader(definition, "the definition of " + stored.name, "");
+  if (const Path path = path_of_kind(stored)) study.path = path;
+  TomlReader fields = reader.part("path");
+  study.path->list_fields(fields);
+  if (study.path->points() != stored.definition.points) return false;
+  const Configuration units = joint_units(robot_of(study).chain);
+  Configuration initial;
+  reader.numbers("initial_deg", initial, 1, static_cast<int>(units.size()));
+  if (initial.size() > 0) study.initial = initial.cwiseProduct(units);
+  return true;
+}
 
 std::vector<std::vector<std::string>> programs_of(const StoredStudy& stored) {
   std::set<std::vector<std::string>> programs;
