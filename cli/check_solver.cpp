@@ -1,4 +1,4 @@
-// ikbench check-solver: checks a program for its author before a study runs it.
+// ikbench check-solver: checks an external solver for its author before a study runs the solver.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,13 +25,13 @@ namespace {
 struct CheckLine {
   std::string what;
   bool passed;
-  std::string seen;
+  std::string seen;  // what was measured, or what is wrong; empty: nothing to add
 };
 
-constexpr StopRule usual{.iterations = 3000, .tolerance = 1e-4, .angle_tolerance = 1e-3, .evaluations = 3000};
+constexpr StopRule usual_budget{.iterations = 3000, .tolerance = 1e-4, .angle_tolerance = 1e-3, .evaluations = 3000};
 
-// An arm about a metre long; each axis is at a right angle to the one before.
-Robot some_arm(Joint second = Joint::turns) {
+// Makes an arm about a metre long, in which each axis is at a right angle to the one before.
+Robot example_arm(Joint second = Joint::turns) {
   constexpr int joints = 7;
   std::vector<DhLink> links(joints, DhLink{.a = 0.15});
   for (std::size_t j = 0; j < joints; ++j) links[j].alpha = (j % 2 == 0 ? 1 : -1) * half_turn / 2;
@@ -41,44 +41,49 @@ Robot some_arm(Joint second = Joint::turns) {
   return {.name = "check", .summary = "", .source = "", .chain = Chain(links), .limits = limits};
 }
 
+// Returns the configuration within the limits that is nearest to `q`.
 Configuration inside(const Robot& arm, const Configuration& q) {
   return q.cwiseMax(arm.limits.lower).cwiseMin(arm.limits.upper);
 }
 
 // Names the first joint whose value is not finite.
-std::string not_finite_in(const Configuration& q) {
+std::string not_finite_text(const Configuration& q) {
   Eigen::Index joint = 0;
   while (joint + 1 < q.size() && std::isfinite(q[joint])) ++joint;
   return fmt::format("its answer is not finite: joint {} is {}", joint + 1, q[joint]);
 }
 
-// The first of the poses that are asked, or another.
-Goal some_goal(const Robot& arm, GoalKind kind, double beyond, int which = 0) {
-  const Configuration q = Configuration::LinSpaced(arm.joints(), 0.3 - 0.07 * which, 0.7 + 0.03 * which);
+// Makes the goal of this number. The arm reaches each goal, unless `offset` [m] moves the goal along x.
+Goal example_goal(const Robot& arm, GoalKind kind, double offset, int number = 0) {
+  const Configuration q = Configuration::LinSpaced(arm.joints(), 0.3 - 0.07 * number, 0.7 + 0.03 * number);
   Pose pose = arm.chain.forward(inside(arm, q));
-  pose.translation().x() += beyond;
+  pose.translation().x() += offset;
   return kind == GoalKind::position ? Goal(pose.translation()) : Goal(pose, 0.25, kind);
 }
 
-struct Tried {
+// One measured solve.
+struct Attempt {
   Configuration q;
-  double error, angle;  // of its position [m], and of its orientation [rad], if that is asked
-  double seconds;
-  ProcessReport account;
+  double error;    // of the position [m]
+  double angle;    // of the orientation [rad]; 0 if the goal has none
+  double seconds;  // wall time
+  ProcessReport report;
 };
 
-// Processes of a program that solve for one goal of an arm.
-struct Solving {
-  Solving(const std::shared_ptr<const Program>& program, Robot its_arm, GoalKind kind, double its_beyond = 0)
-      : arm(std::move(its_arm)),
-        beyond(its_beyond),
-        goal(some_goal(arm, kind, its_beyond)),
-        all(program, robot_message(arm, arm.chain, goal, "", program->hello, resolved_options(program->hello, {}))) {}
+// A program at work on goals of one kind for one arm, with the processes that solve them.
+struct CheckedProgram {
+  CheckedProgram(const std::shared_ptr<const Program>& program, Robot checked_arm, GoalKind kind,
+                 double goal_offset = 0)
+      : arm(std::move(checked_arm)),
+        offset(goal_offset),
+        goal(example_goal(arm, kind, goal_offset)),
+        processes(program,
+                  robot_message(arm, arm.chain, goal, "", program->hello, resolved_options(program->hello, {}))) {}
 
-  Tried once(const StopRule& stop = usual, int which = 0) {
-    Objective objective(arm.chain, some_goal(arm, goal.kind, beyond, which));
-    Random random(Key(1).with(static_cast<std::uint64_t>(which)));
-    ExternalSolver solver(all, stop);
+  Attempt solve_once(const StopRule& stop = usual_budget, int number = 0) {
+    Objective objective(arm.chain, example_goal(arm, goal.kind, offset, number));
+    Random random(Key(1).with(static_cast<std::uint64_t>(number)));
+    ExternalSolver solver(processes, stop);
     solver.prepare(problem, objective);
     const Clock::time_point began = Clock::now();
     const Solution solution = solvers::solve(solver, problem, objective, random, stop);
@@ -89,30 +94,48 @@ struct Solving {
     return {solution.best.q, position, asked, took.count(), solver.report()};
   }
 
-  // Of a program with a batch: asks for all poses of `once` since the last time.
-  void ask() {
-    ExternalSolver solver(all, usual);
+  // Sends a batch with the goals of all calls of `solve_once` since the last batch.
+  void send_batch() {
+    ExternalSolver solver(processes, usual_budget);
     solver.send_batch();
     solver.count_failure();
   }
 
-  bool is_solved_by_lm(int which) const {
-    Objective objective(arm.chain, some_goal(arm, goal.kind, beyond, which));
+  bool is_solved_by_lm(int number) const {
+    Objective objective(arm.chain, example_goal(arm, goal.kind, offset, number));
     Random random(Key(1));
     const std::unique_ptr<Solver> lm = solver("levenberg_marquardt").make({});
-    return solvers::solve(*lm, problem, objective, random, usual).stopped == StopReason::tolerance;
+    return solvers::solve(*lm, problem, objective, random, usual_budget).stopped == StopReason::tolerance;
   }
 
   const Robot arm;
-  const double beyond;  // [m], of the goal
+  const double offset;  // [m] by which the goals are moved along x
   const Goal goal;
   const Problem problem{.start = inside(arm, Configuration::Constant(arm.joints(), 0.1)),
                         .lower = arm.limits.lower,
                         .upper = arm.limits.upper,
                         .population = 20};
-  ProcessPool all;
+  ProcessPool processes;
 };
 
+// Returns what is wrong with an answer; empty: nothing.
+std::string fault_text(const Attempt& attempt, const CheckedProgram& checked) {
+  const ProcessReport& report = attempt.report;
+  if (report.failure) return checked.processes.last_failure();
+  if (!attempt.q.allFinite()) return not_finite_text(attempt.q);
+  const double outside = checked.arm.limits.violation(attempt.q);
+  if (outside > 1e-9) return fmt::format("its answer is {:.3g} rad or m outside", outside);
+  if (std::abs(report.reported_error - attempt.error) > program_report_tolerance)  // false for NaN: none was reported
+    return fmt::format("it says that it is {:.9g} m off, and is {:.9g} m off", report.reported_error, attempt.error);
+  return report.ignored_budget ? "it asks for more evaluations after it is told that its budget is used up" : "";
+}
+
+std::string evaluations_text(const ProcessReport& report) {
+  if (report.counted_by == CountedBy::ikbench) return counted(report.evaluations, "evaluations") + ", counted here";
+  return report.counted_by == CountedBy::solver ? "own kinematics; its own count" : "own kinematics; it counts nothing";
+}
+
+// All checks of one program, which the constructor makes.
 class Checks {
  public:
   Checks(const ProgramSpec& choice, Robot arm) : arm_(std::move(arm)) {
@@ -134,8 +157,8 @@ class Checks {
 
   void check(const std::shared_ptr<const Program>& program) {
     line("it says hello", "", fmt::format("{} {}", program->hello.name, program->hello.version));
-    std::unique_ptr<Solving> usually;  // for the first kind of goal that it does not decline
-    Tried first;
+    std::unique_ptr<CheckedProgram> chosen;  // with goals of the first kind that the program does not decline
+    Attempt first;
     for (const auto& [kind, name] : {std::pair(GoalKind::position, "a position"),
                                      {GoalKind::axis, "a position and an axis"},
                                      {GoalKind::pose, "a pose"}}) {
@@ -143,120 +166,123 @@ class Checks {
         line(fmt::format("it answers for {}", name), "", "its hello names other goals");
         continue;
       }
-      auto solving = std::make_unique<Solving>(program, arm_, kind);
-      const Tried tried = answers(name, *solving);
-      if (usually || tried.account.failure == Status::declined) continue;
-      if (tried.account.failure || !tried.q.allFinite()) return;  // the other checks would say the same
-      usually = std::move(solving);
-      first = tried;
+      auto checked = std::make_unique<CheckedProgram>(program, arm_, kind);
+      const Attempt attempt = check_answer(name, *checked);
+      if (chosen || attempt.report.failure == Status::declined) continue;
+      if (attempt.report.failure || !attempt.q.allFinite()) return;  // the other checks would say the same
+      chosen = std::move(checked);
+      first = attempt;
     }
-    if (!usually) return line("it solves one of these", "it declines them all");
-    const GoalKind kind = usually->goal.kind;
-    Robot endless = some_arm();
+    if (!chosen) return line("it solves one of these", "it declines them all");
+    const GoalKind kind = chosen->goal.kind;
+    Robot endless = example_arm();
     endless.limits.upper[0] = std::numeric_limits<double>::infinity();
     endless.limits.lower[0] = -endless.limits.upper[0];
-    Solving afresh(program, arm_, kind), turning(program, endless, kind),
-        shifting(program, some_arm(Joint::slides), kind), hopeless(program, arm_, kind, 10);
-    answers("a joint that turns without end", turning);
-    answers("a joint that slides", shifting);
-    same(*usually, afresh, first);
-    if (program->hello.takes_batches) {
-      auto batched = std::make_shared<Program>(*program);
-      batched->choice.batch = 20;
-      Solving together(batched, arm_, kind);
-      for (int which = 0; which < batched->choice.batch; ++which)
-        together.once(usual, which);  // which puts it into one
-      together.ask();
-      const Tried tried = together.once();
-      const bool is_off = tried.account.failure || !(tried.error <= 2 * std::max(usual.tolerance, first.error));
-      line("it answers the first of 20 poses in a batch as alone",
-           !is_off ? "" : fmt::format("{:.2g} m off; {}", tried.error, together.all.last_failure()));
-    }
-    budgets(hopeless);
-    farewell(usually->all.acquire());
+    CheckedProgram second(program, arm_, kind);
+    CheckedProgram continuous(program, endless, kind);
+    CheckedProgram prismatic(program, example_arm(Joint::slides), kind);
+    CheckedProgram unreachable(program, arm_, kind, 10);
+    check_answer("a joint that turns without end", continuous);
+    check_answer("a joint that slides", prismatic);
+    check_repeated(*chosen, second, first);
+    if (program->hello.takes_batches) check_batch(*program, kind, first);
+    check_budgets(unreachable);
+    check_end(chosen->processes.acquire());
   }
 
-  Tried answers(const std::string& what, Solving& solving) {
-    const Tried tried = solving.once();
-    const ProcessReport& account = tried.account;
-    const double outside = solving.arm.limits.violation(tried.q);
-    const bool is_untrue = std::abs(account.reported_error - tried.error) > program_report_tolerance;  // NaN: no claim
-    const std::string wrong =
-        account.failure        ? solving.all.last_failure()
-        : !tried.q.allFinite() ? not_finite_in(tried.q)
-        : outside > 1e-9       ? fmt::format("its answer is {:.3g} rad or m outside", outside)
-        : is_untrue
-            ? fmt::format("it says that it is {:.9g} m off, and is {:.9g} m off", account.reported_error, tried.error)
-        : account.ignored_budget ? "it asks for more evaluations after it is told that its budget is used up"
-                                 : "";
-    const std::string counted = account.counted_by == CountedBy::ikbench
-                                    ? base::counted(account.evaluations, "evaluations") + ", counted here"
-                                : account.counted_by == CountedBy::solver ? "own kinematics; its own count"
-                                                                          : "own kinematics; it counts nothing";
-    if (account.failure == Status::declined)
+  Attempt check_answer(const std::string& what, CheckedProgram& checked) {
+    const Attempt attempt = checked.solve_once();
+    const std::string wrong = fault_text(attempt, checked);
+    if (attempt.report.failure == Status::declined)
       line("it declines " + what, "", wrong);
     else
-      line("it answers inside the limits for " + what, wrong, fmt::format("{:.2g} m off; {}", tried.error, counted));
-    return tried;
+      line("it answers inside the limits for " + what, wrong,
+           fmt::format("{:.2g} m off; {}", attempt.error, evaluations_text(attempt.report)));
+    return attempt;
   }
 
-  // Of threads and clocks a few poses tell nothing. What misses the tolerance by a little may not know it.
-  void same(Solving& usually, Solving& afresh, const Tried& first) {
+  void check_batch(const Program& program, GoalKind kind, const Attempt& alone) {
+    auto batched = std::make_shared<Program>(program);
+    batched->choice.batch = 20;
+    CheckedProgram checked(batched, arm_, kind);
+    for (int number = 0; number < batched->choice.batch; ++number)
+      checked.solve_once(usual_budget, number);  // puts the goal into the batch
+    checked.send_batch();
+    const Attempt attempt = checked.solve_once();
+    const bool is_off = attempt.report.failure || !(attempt.error <= 2 * std::max(usual_budget.tolerance, alone.error));
+    line("it answers the first of 20 poses in a batch as alone",
+         !is_off ? "" : fmt::format("{:.2g} m off; {}", attempt.error, checked.processes.last_failure()));
+  }
+
+  // Solves a few poses in two processes. Twenty are too few to find threads or clocks that change answers rarely.
+  // Errors up to twice the tolerance are counted separately, because their program may compute the error with less
+  // precision.
+  void check_repeated(CheckedProgram& chosen, CheckedProgram& second, const Attempt& first) {
     constexpr int poses = 20;
-    int others = 0, solvable = 0, reached = 0, near = 0;
-    for (int which = 0; which < poses; ++which) {
-      const Tried here = usually.once(usual, which), there = afresh.once(usual, which);
-      const double times = std::max(here.error / usual.tolerance, here.angle / usual.angle_tolerance);
-      others += here.q != there.q;
-      if (!usually.is_solved_by_lm(which)) continue;
+    int different = 0, solvable = 0, reached = 0, near = 0;
+    for (int number = 0; number < poses; ++number) {
+      const Attempt here = chosen.solve_once(usual_budget, number), there = second.solve_once(usual_budget, number);
+      const double times = std::max(here.error / usual_budget.tolerance, here.angle / usual_budget.angle_tolerance);
+      different += here.q != there.q;
+      if (!chosen.is_solved_by_lm(number)) continue;
       ++solvable;
       reached += times <= 1;
       near += times > 1 && times <= 2;
     }
-    line(fmt::format("the same seed gives the same answer for {} poses", poses),
-         others > 0                    ? fmt::format("{} differ in another process", others)
-         : usually.once().q != first.q ? "not when it solves again"
-                                       : "");
+    std::string wrong;
+    if (different > 0)
+      wrong = fmt::format("{} differ in another process", different);
+    else if (chosen.solve_once().q != first.q)
+      wrong = "not when it solves again";
+    line(fmt::format("the same seed gives the same answer for {} poses", poses), wrong);
     const std::string seen = fmt::format("{} within {:g} m and {:g} rad, {} more within twice that", reached,
-                                         usual.tolerance, usual.angle_tolerance, near);
+                                         usual_budget.tolerance, usual_budget.angle_tolerance, near);
     line(fmt::format("it reaches some of the {} poses that LM solves", solvable),
          reached == 0 && solvable > 0 ? seen : "", seen);
   }
 
   // A machine may be busy, so the best of a few attempts counts.
-  void budgets(Solving& solving) {
+  void check_budgets(CheckedProgram& checked) {
     const auto overrun = [&](const StopRule& stop, int tries = 1) -> std::string {
-      ResourceUse spent;
+      ResourceUse used;
       for (; tries > 0; --tries) {
-        const Tried tried = solving.once(stop);
-        const ProcessReport& its = tried.account;
-        if (its.failure) return solving.all.last_failure();
-        spent = {credible_seconds(its, tried.seconds), its.evaluations, its.iterations};
-        if (!its.ignored_budget && !exceeds_budget(spent, stop)) return "";
+        const Attempt attempt = checked.solve_once(stop);
+        const ProcessReport& report = attempt.report;
+        if (report.failure) return checked.processes.last_failure();
+        used = {credible_seconds(report, attempt.seconds), report.evaluations, report.iterations};
+        if (!report.ignored_budget && !exceeds_budget(used, stop)) return "";
       }
-      return fmt::format("{:.0f} ms, {} in {}", 1000 * spent.seconds, counted(spent.evaluations, "evaluations"),
-                         counted(spent.iterations, "iterations"));
+      return fmt::format("{:.0f} ms, {} in {}", 1000 * used.seconds, counted(used.evaluations, "evaluations"),
+                         counted(used.iterations, "iterations"));
     };
     constexpr StopRule in_time{.iterations = 1'000'000, .tolerance = 1e-4, .seconds = 0.05};
     line(fmt::format("it keeps a budget of 50 ms, {:g} at most, for a target out of reach",
                      1000 * max_budget_ratio * in_time.seconds),
          overrun(in_time, 5));
-    if (!solving.all.last_failure().empty()) return;
+    if (!checked.processes.last_failure().empty()) return;
     std::string wrong = overrun({.iterations = 100, .tolerance = 1e-4, .evaluations = 40});
     if (wrong.empty()) wrong = overrun({.iterations = 10, .tolerance = 1e-4});
     line("it keeps a budget of 40 evaluations, and one of 10 iterations, half more at most", wrong);
   }
 
-  void farewell(WorkerProcess last) {
+  // Ends the input of the last process, which then has to end itself.
+  void check_end(WorkerProcess last) {
     if (last.child) last.child->end_input();
     const ProcessFailure heard = last.child ? unsolicited_message(*last.child, 2)
                                             : ProcessFailure{ProcessFailure::Kind::declined, "it had ended before"};
-    line("it answers once, and ends when its input does", heard.kind == ProcessFailure::Kind::crashed ? ""
-                                                          : heard.kind == ProcessFailure::Kind::timed_out
-                                                              ? "it still ran after 2 s"
-                                                              : heard.why);
+    std::string wrong = heard.why;
+    if (heard.kind == ProcessFailure::Kind::crashed) wrong = "";
+    if (heard.kind == ProcessFailure::Kind::timed_out) wrong = "it still ran after 2 s";
+    line("it answers once, and ends when its input does", wrong);
   }
 };
+
+std::string summary_of(std::size_t checks, std::size_t failed) {
+  constexpr std::size_t full_number = 11;  // fewer if a failure makes the others useless
+  if (failed == 0) return fmt::format("All {} checks passed.", checks);
+  return fmt::format("{} of {} checks failed{}", failed, checks,
+                     checks < full_number ? "; mend it, then those after it are made." : ".");
+}
 
 }  // namespace
 
@@ -273,14 +299,11 @@ void add_check_solver(const Command& command, Invocation& invocation) {
       "  ikbench check-solver --patience 60 -- octave-cli --quiet my_solver.m\n\n"
       "Exit code 1 where a check fails. docs/reference/protocol.md describes what a program has to say.");
   command.callback([choice, robot_name, &invocation] {
-    std::vector<CheckLine> lines = Checks(*choice, robot_name->empty() ? some_arm() : robot(*robot_name)).lines;
-    const auto failed = std::ranges::count(lines, false, &CheckLine::passed);
+    std::vector<CheckLine> lines = Checks(*choice, robot_name->empty() ? example_arm() : robot(*robot_name)).lines;
+    const auto failed = static_cast<std::size_t>(std::ranges::count(lines, false, &CheckLine::passed));
     if (failed > 0) invocation.exit_code = 1;
     std::stable_partition(lines.begin(), lines.end(), [](const CheckLine& line) { return !line.passed; });
-    fmt::print("{}\n\n", failed == 0
-                             ? fmt::format("All {} checks passed.", lines.size())
-                             : fmt::format("{} of {} checks failed{}", failed, lines.size(),
-                                           lines.size() < 11 ? "; mend it, then those after it are made." : "."));
+    fmt::print("{}\n\n", summary_of(lines.size(), failed));
     for (const CheckLine& line : lines) {
       constexpr std::size_t length_of_state = 8;
       const std::string text = wrapped(fmt::format("{}{}{}", line.what, line.seen.empty() ? "" : ": ", line.seen),

@@ -32,7 +32,7 @@ struct CompareArguments {
   bool is_strict = false, is_json = false;
 };
 
-// "5%".
+// Reads a share from text such as "5%". Throws std::invalid_argument if the share is out of range.
 double margin_from(const std::string& text, const char* option = "--margin") {
   const auto value = text.ends_with('%') ? base::number_from(text.substr(0, text.size() - 1)) : std::nullopt;
   const double share = value ? *value / 100 : -1;
@@ -42,6 +42,7 @@ double margin_from(const std::string& text, const char* option = "--margin") {
   return share;
 }
 
+// A store and one of its studies.
 struct StudyInStore {
   results::Store store;
   results::StoredStudy entry;
@@ -54,53 +55,39 @@ struct StudyInStore {
   void refuse_unknown(const std::string& label) const {
     if (!has(label)) throw std::invalid_argument(base::unknown_name("label", label, labels()));
   }
-  // Reads all its labels, or one alone.
-  StudyResults study(const CompareArguments& arguments, const std::string& label = "") const {
+  // Reads and checks the study's solves: those of one label, or of all labels if `label` is empty.
+  StudyResults results_of(const CompareArguments& arguments, const std::string& label = "") const {
     results::StoredStudy part = entry;
-    if (!label.empty()) std::erase_if(part.series, [&](const results::Series& its) { return its.label != label; });
-    StudyResults study = read_checked(store, part);
-    if (!arguments.margin.empty()) study.definition.plan.margin = margin_from(arguments.margin);
-    return study;
+    if (!label.empty())
+      std::erase_if(part.series, [&](const results::Series& series) { return series.label != label; });
+    StudyResults results = read_checked(store, part);
+    if (!arguments.margin.empty()) results.definition.plan.margin = margin_from(arguments.margin);
+    return results;
   }
 };
 
-// The gates of all labels that both stores have, since the p of each pair counts them all: first those that are asked
-// for. One of the others that cannot be compared, as it lacks solves, has no pair.
-std::vector<RegressionCheck> gates_of(const StudyInStore& a, const StudyInStore& b,
-                                      const std::vector<std::string>& asked, const CompareArguments& arguments,
-                                      const RegressionOptions& options) {
-  std::vector<RegressionCheck> all;
-  for (const std::string& label : asked)
-    all.push_back(gate(a.study(arguments, label), b.study(arguments, label), options));
+// Makes the checks of all labels that both stores have, since the p of each pair counts all labels. The checks of the
+// requested labels come first. A label that is not requested and lacks solves has no check.
+std::vector<RegressionCheck> checks_by_label(const StudyInStore& a, const StudyInStore& b,
+                                             const std::vector<std::string>& requested,
+                                             const CompareArguments& arguments, const RegressionOptions& options) {
+  std::vector<RegressionCheck> checks;
+  for (const std::string& label : requested)
+    checks.push_back(gate(a.results_of(arguments, label), b.results_of(arguments, label), options));
   for (const std::string& label : a.labels()) {
-    if (!b.has(label) || std::ranges::count(asked, label) > 0) continue;
+    if (!b.has(label) || std::ranges::count(requested, label) > 0) continue;
     try {
-      all.push_back(gate(a.study(arguments, label), b.study(arguments, label), options));
+      checks.push_back(gate(a.results_of(arguments, label), b.results_of(arguments, label), options));
     } catch (const LacksSolves&) {
       continue;
     }
   }
-  return all;
+  return checks;
 }
 
-std::vector<RegressionCheck> compare_all(const CompareArguments& arguments) {
-  std::vector<RegressionCheck> all;
-  RegressionOptions options{.metrics = arguments.metrics};
-  if (!arguments.time_margin.empty()) options.time_margin = margin_from(arguments.time_margin, "--time-margin");
-  if (!arguments.store.empty()) {
-    const StudyInStore both(arguments.store, arguments.study);
-    if (arguments.a == arguments.b) throw std::invalid_argument("A and B are the same label; expected two");
-    for (const std::string& label : {arguments.a, arguments.b}) both.refuse_unknown(label);
-    all.push_back(gate(both.study(arguments), arguments.b, arguments.a, options));
-    judge_all(all);
-    return all;
-  }
-  const StudyInStore a(arguments.a, arguments.study), b(arguments.b, arguments.study);
-  if (arguments.study.empty() && a.entry.name != b.entry.name)
-    throw std::invalid_argument(
-        fmt::format("the first study of A is {}, of B {}; expected one name for both: --study NAME if both stores have "
-                    "it, else run B's study with the name of A's into a new folder (--out)",
-                    a.entry.name, b.entry.name));
+// Returns the labels of --label, or all of the baseline. Throws std::invalid_argument if the candidate lacks one.
+std::vector<std::string> requested_labels(const StudyInStore& a, const StudyInStore& b,
+                                          const CompareArguments& arguments) {
   std::vector<std::string> labels = arguments.labels;
   if (labels.empty()) {
     labels = a.labels();
@@ -118,154 +105,185 @@ std::vector<RegressionCheck> compare_all(const CompareArguments& arguments) {
     a.refuse_unknown(label);
     b.refuse_unknown(label);
   }
-  all = gates_of(a, b, labels, arguments, options);
-  judge_all(all);
-  all.resize(labels.size());
-  return all;
+  return labels;
+}
+
+std::vector<RegressionCheck> compare_all(const CompareArguments& arguments) {
+  std::vector<RegressionCheck> checks;
+  RegressionOptions options{.metrics = arguments.metrics};
+  if (!arguments.time_margin.empty()) options.time_margin = margin_from(arguments.time_margin, "--time-margin");
+  if (!arguments.store.empty()) {
+    const StudyInStore both(arguments.store, arguments.study);
+    if (arguments.a == arguments.b) throw std::invalid_argument("A and B are the same label; expected two");
+    for (const std::string& label : {arguments.a, arguments.b}) both.refuse_unknown(label);
+    checks.push_back(gate(both.results_of(arguments), arguments.b, arguments.a, options));
+    judge_all(checks);
+    return checks;
+  }
+  const StudyInStore a(arguments.a, arguments.study), b(arguments.b, arguments.study);
+  if (arguments.study.empty() && a.entry.name != b.entry.name)
+    throw std::invalid_argument(
+        fmt::format("the first study of A is {}, of B {}; expected one name for both: --study NAME if both stores have "
+                    "it, else run B's study with the name of A's into a new folder (--out)",
+                    a.entry.name, b.entry.name));
+  const std::vector<std::string> labels = requested_labels(a, b, arguments);
+  checks = checks_by_label(a, b, labels, arguments, options);
+  judge_all(checks);
+  checks.resize(labels.size());
+  return checks;
 }
 
 std::string not_tested_text(const show::ReportModel& answer, const JudgedMetric& judged) {
-  const auto* const open = std::get_if<NotTested>(&judged.comparisons.front().result);
-  if (open != nullptr) return show::reason_text(*open, show::observation_noun(answer, judged));
+  const auto* const not_tested = std::get_if<NotTested>(&judged.comparisons.front().result);
+  if (not_tested != nullptr) return show::reason_text(*not_tested, show::observation_noun(answer, judged));
   return fmt::format("neither has {} any {}", judged.samples.quantity, answer.noun);
 }
 
-// "mine is worse than PSO: in solved and error. Not decided: joint motion.", "mine against PSO: new: 1 solve without an
-// answer."
-std::string verdict_of(const RegressionCheck& gate, const show::ReportModel& answer) {
-  const std::string& candidate = gate.label.empty() ? gate.candidate : gate.label;
-  const std::string& baseline = gate.baseline;
-  if (!gate.is_compared)
-    return fmt::format("{} is not compared with {}: {}.", candidate, baseline,
-                       not_tested_text(answer, gate.judged.metrics[gate.judged.primary]));
+const char* relation_text(const RegressionCheck& check) {
+  if (!check.worse.empty()) return "is worse than";
+  if (!check.better.empty()) return "is better than";
+  if (check.new_failures > 0) return "against";
+  if (!check.inconclusive.empty() || !check.not_tested.empty()) return "is not shown to be worse than";
+  if (!check.worse_below_margin.empty()) return "is not worse by more than the margin than";
+  return "is not worse than";
+}
+
+// Returns "mine is worse than PSO: in solved and error." or "mine against PSO: new: 1 solve without an answer."
+std::string relation_sentence(const RegressionCheck& check, const std::string& candidate) {
   std::vector<std::string> parts;
-  const bool is_worse = !gate.worse.empty(), is_open = !gate.inconclusive.empty() || !gate.not_tested.empty(),
-             is_within = !gate.worse_below_margin.empty();
-  if (is_worse) parts.push_back("in " + show::listed(gate.worse));
-  if (!gate.better.empty()) parts.push_back((is_worse ? "better in " : "in ") + show::listed(gate.better));
-  if (gate.new_failures > 0)
-    parts.push_back(fmt::format("new: {} without an answer", base::counted(gate.new_failures, "solves")));
-  std::string text = fmt::format("{} {} {}{}{}.", candidate,
-                                 is_worse                ? "is worse than"
-                                 : !gate.better.empty()  ? "is better than"
-                                 : gate.new_failures > 0 ? "against"
-                                 : is_open               ? "is not shown to be worse than"
-                                 : is_within             ? "is not worse by more than the margin than"
-                                                         : "is not worse than",
-                                 baseline, parts.empty() ? "" : ": ", show::listed(parts, ", "));
-  if (!gate.worse_below_margin.empty())
-    text += fmt::format(" Worse by less than the margin: {}.", show::listed(gate.worse_below_margin));
-  if (!gate.inconclusive.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.inconclusive));
-  show::NamesByPhrase untested;  // by why
-  for (const JudgedMetric& judged : gate.judged.metrics) {
+  if (!check.worse.empty()) parts.push_back("in " + show::listed(check.worse));
+  if (!check.better.empty()) parts.push_back((check.worse.empty() ? "in " : "better in ") + show::listed(check.better));
+  if (check.new_failures > 0)
+    parts.push_back(fmt::format("new: {} without an answer", base::counted(check.new_failures, "solves")));
+  return fmt::format("{} {} {}{}{}.", candidate, relation_text(check), check.baseline, parts.empty() ? "" : ": ",
+                     show::listed(parts, ", "));
+}
+
+// Returns the sentences of one check: "mine is worse than PSO: in solved and error. Not decided: joint motion."
+std::string verdict_text(const RegressionCheck& check, const show::ReportModel& answer) {
+  const std::string& candidate = check.label.empty() ? check.candidate : check.label;
+  if (!check.is_compared)
+    return fmt::format("{} is not compared with {}: {}.", candidate, check.baseline,
+                       not_tested_text(answer, check.judged.metrics[check.judged.primary]));
+  std::string text = relation_sentence(check, candidate);
+  if (!check.worse_below_margin.empty())
+    text += fmt::format(" Worse by less than the margin: {}.", show::listed(check.worse_below_margin));
+  if (!check.inconclusive.empty()) text += fmt::format(" Not decided: {}.", show::listed(check.inconclusive));
+  show::NamesByPhrase untested;  // quantities by the reason
+  for (const JudgedMetric& judged : check.judged.metrics) {
     const std::string& quantity = judged.samples.quantity;
-    if (std::ranges::count(gate.not_tested, quantity) > 0) untested.add(not_tested_text(answer, judged), quantity);
+    if (std::ranges::count(check.not_tested, quantity) > 0) untested.add(not_tested_text(answer, judged), quantity);
   }
   if (!untested.entries.empty())
     text += fmt::format(" Not tested: {}.", fmt::join(untested.formatted("{1} ({0})"), "; "));
   std::vector<std::string> others;
-  if (!gate.also_worse.empty()) others.push_back("worse in " + show::listed(gate.also_worse));
-  if (!gate.also_better.empty()) others.push_back("better in " + show::listed(gate.also_better));
-  const char* const why = gate.options.metrics.empty() ? "Not in the plan" : "Not asked for";
+  if (!check.also_worse.empty()) others.push_back("worse in " + show::listed(check.also_worse));
+  if (!check.also_better.empty()) others.push_back("better in " + show::listed(check.also_better));
+  const char* const why = check.options.metrics.empty() ? "Not in the plan" : "Not asked for";
   if (!others.empty()) text += fmt::format(" {}: {}.", why, fmt::join(others, "; "));
   const std::vector<show::HeadlineQuestion> questions = show::headline_questions(answer);
-  const bool is_then_of_times =
+  const bool is_time_tie_breaker =
       questions.size() > 1 && questions.back().metric->samples.quantity_kind == QuantityKind::time;
-  if (gate.label.empty() && !gate.counts_times() && is_then_of_times)
+  if (check.label.empty() && !check.counts_times() && is_time_tie_breaker)
     text += " Times decide nothing here. " + show::tie_breaker_sentence(answer);
   return text;
 }
 
-// "Lost: run 57; won: none; the other 199 are the same to the bit."
-std::string changed_targets_text(const RegressionCheck& gate) {
-  constexpr std::size_t most = 10;
-  const std::size_t changed = gate.newly_unsolved.size() + gate.newly_solved.size();
+// Returns "Lost: run 57; won: none; the other 199 are the same to the bit."; empty if no target changed.
+std::string changed_targets_text(const RegressionCheck& check) {
+  constexpr std::size_t max_names = 10;
+  const std::size_t changed = check.newly_unsolved.size() + check.newly_solved.size();
   if (changed == 0) return "";
-  const auto names = [](std::vector<std::string> all) {
-    if (all.empty()) return std::string("none");
-    if (all.size() <= most) return show::listed(all);
-    const std::size_t more = all.size() - most;
-    all.resize(most);
-    return fmt::format("{} and {} more", fmt::join(all, ", "), more);
+  const auto names_text = [](std::vector<std::string> targets) {
+    if (targets.empty()) return std::string("none");
+    if (targets.size() <= max_names) return show::listed(targets);
+    const std::size_t more = targets.size() - max_names;
+    targets.resize(max_names);
+    return fmt::format("{} and {} more", fmt::join(targets, ", "), more);
   };
-  const auto rest = gate.judged.metrics.back().descriptives.front().n - static_cast<int>(changed);
-  const std::string same = gate.identical_solves == rest
+  const auto rest = check.judged.metrics.back().descriptives.front().n - static_cast<int>(changed);
+  const std::string same = check.identical_solves == rest
                                ? fmt::format("the other {} are the same to the bit", rest)
-                               : fmt::format("the same to the bit: {} of the other {}", gate.identical_solves, rest);
-  return fmt::format("{}: {}; won: {}; {}.", gate.label.empty() ? "Lost" : gate.label + " lost",
-                     names(gate.newly_unsolved), names(gate.newly_solved), same);
+                               : fmt::format("the same to the bit: {} of the other {}", check.identical_solves, rest);
+  return fmt::format("{}: {}; won: {}; {}.", check.label.empty() ? "Lost" : check.label + " lost",
+                     names_text(check.newly_unsolved), names_text(check.newly_solved), same);
 }
 
-// Something may differ.
-bool is_told(const RegressionCheck& gate) { return !gate.is_identical || gate.counts_times(); }
+// True if something may differ: identical solves differ at most in their times.
+bool may_differ(const RegressionCheck& check) { return !check.is_identical || check.counts_times(); }
 
-// Of all that are the same, bit for bit, in one; empty if none are.
-std::string verdict_of_same(const std::vector<RegressionCheck>& all) {
+// Returns one sentence on all labels whose solves are identical; empty if there are none.
+std::string identical_text(const std::vector<RegressionCheck>& checks) {
   std::vector<std::string> names;
   int solves = 0;
-  for (const RegressionCheck& gate : all) {
-    if (!gate.is_identical) continue;
-    names.push_back(gate.label.empty() ? show::listed({gate.candidate, gate.baseline}) : gate.label);
-    solves += gate.judged.metrics.back().descriptives.front().n;
+  for (const RegressionCheck& check : checks) {
+    if (!check.is_identical) continue;
+    names.push_back(check.label.empty() ? show::listed({check.candidate, check.baseline}) : check.label);
+    solves += check.judged.metrics.back().descriptives.front().n;
   }
   if (names.empty()) return "";
   return fmt::format("{}: all solves are the same, bit for bit ({}).", show::listed(names),
                      base::counted(solves, "solves"));
 }
 
-show::ReportModel answer_of(const RegressionCheck& gate) {
-  show::ReportModel answer = show::answer_of(gate.judged);
-  answer.verdict = verdict_of(gate, answer);
+show::ReportModel make_report_model(const RegressionCheck& check) {
+  show::ReportModel answer = show::answer_of(check.judged);
+  answer.verdict = verdict_text(check, answer);
   return answer;
 }
 
-// What all labels that differ have in common; empty if none does.
-std::string gate_note(const std::vector<RegressionCheck>& all) {
-  if (std::ranges::none_of(all, is_told)) return "";
-  const JudgedStudy& judged = all.front().judged;
-  const auto time = std::ranges::find_if(judged.metrics, [](const JudgedMetric& its) {
-    return its.samples.quantity_kind == QuantityKind::time && !show::is_success_rate(its);  // which is in time
+// Returns what times of this check decide, as the predicate of a sentence.
+std::string times_text(const RegressionCheck& check) {
+  if (!check.counts_times()) return "do not count in the exit code";
+  const auto time = std::ranges::find_if(check.judged.metrics, [](const JudgedMetric& judged) {
+    const bool is_share = show::is_success_rate(judged);  // of targets solved in time
+    return judged.samples.quantity_kind == QuantityKind::time && !is_share;
   });
-  const bool do_times_decide = all.front().counts_times();
-  const std::string times = !do_times_decide ? "do not count in the exit code"
-                            : time == judged.metrics.end()
-                                ? "are not known"
-                                : fmt::format("decide by a margin of {}", show::margin_text(*time));
-  const bool are_of_stores = !all.front().label.empty();
-  const std::size_t metrics = names_in_plan(judged.study.definition).size();
+  if (time == check.judged.metrics.end()) return "are not known";
+  return fmt::format("decide by a margin of {}", show::margin_text(*time));
+}
+
+// Returns a note on p and times that holds for all labels; empty if no label may differ.
+std::string common_note(const std::vector<RegressionCheck>& checks) {
+  if (std::ranges::none_of(checks, may_differ)) return "";
+  const RegressionCheck& first = checks.front();
+  const bool are_of_stores = !first.label.empty();
+  const std::size_t metrics = names_in_plan(first.judged.study.definition).size();
   return fmt::format("p is multiplied by the number of pairs tested of {}{}. Times {}{}.",
                      are_of_stores ? "all labels" : "all labels of the store",
                      metrics == 1 ? "" : fmt::format(" and by the {} metrics of the plan", metrics),
-                     !are_of_stores || do_times_decide ? "" : "of two sessions are not compared, and ", times);
+                     !are_of_stores || first.counts_times() ? "" : "of two sessions are not compared, and ",
+                     times_text(first));
 }
 
-std::string screen_of(const std::vector<RegressionCheck>& all) {
+std::string screen_text(const std::vector<RegressionCheck>& checks) {
   std::string text;
-  for (const RegressionCheck& gate : all) {
-    const std::string targets = changed_targets_text(gate);
-    text += is_told(gate)
-                ? show::terminal_report(answer_of(gate)) + (targets.empty() ? "" : wrapped(targets) + '\n') + '\n'
-                : "";
+  for (const RegressionCheck& check : checks) {
+    if (!may_differ(check)) continue;
+    const std::string targets = changed_targets_text(check);
+    text += show::terminal_report(make_report_model(check));
+    if (!targets.empty()) text += wrapped(targets) + '\n';
+    text += '\n';
   }
-  for (const std::string& last : {gate_note(all), verdict_of_same(all)})
-    text += last.empty() ? "" : wrapped(last) + '\n';
+  for (const std::string& note : {common_note(checks), identical_text(checks)})
+    text += note.empty() ? "" : wrapped(note) + '\n';
   return text;
 }
 
-// That of a report, with the rows of all labels.
-base::OrderedJson json_of(const std::vector<RegressionCheck>& all, int code) {
+// Returns the JSON of a report, with the rows of all labels.
+base::OrderedJson make_json(const std::vector<RegressionCheck>& checks, int code) {
   base::OrderedJson json;
   std::vector<std::string> sentences;
-  for (const RegressionCheck& gate : all) {
-    const std::string& label = gate.label.empty() ? gate.candidate : gate.label;
-    const show::ReportModel answer = answer_of(gate);
+  for (const RegressionCheck& check : checks) {
+    const std::string& label = check.label.empty() ? check.candidate : check.label;
+    const show::ReportModel answer = make_report_model(check);
     base::OrderedJson report = show::to_json(answer);
-    report["tests"] = base::OrderedJson::array();  // of all solvers at once: a gate has two
+    report["tests"] = base::OrderedJson::array();  // no omnibus test, because a check has two solvers
     for (const char* rows : {"groups", "findings"}) {
       for (auto& row : report[rows]) row["label"] = label;
     }
     for (auto& warning : report["doubts"]) warning = label + ": " + warning.get<std::string>();
-    if (is_told(gate)) sentences.push_back(answer.verdict);
+    if (may_differ(check)) sentences.push_back(answer.verdict);
     report["metric"] = {{label, report["metric"]}};
     for (const auto& [member, value] : report.items()) {
       if (value.is_array() && json.contains(member))
@@ -275,39 +293,40 @@ base::OrderedJson json_of(const std::vector<RegressionCheck>& all, int code) {
       else
         json[member] = value;
     }
-    json["worse"][label] = gate.worse;
-    json["newly_missing"][label] = gate.new_failures;
-    json["lost"][label] = gate.newly_unsolved;
-    json["won"][label] = gate.newly_solved;
-    json["better"][label] = gate.better;
-    json["also_worse"][label] = gate.also_worse;
-    json["also_better"][label] = gate.also_better;
-    json["undecided"][label] = gate.inconclusive;
-    json["not_tested"][label] = gate.not_tested;
+    json["worse"][label] = check.worse;
+    json["newly_missing"][label] = check.new_failures;
+    json["lost"][label] = check.newly_unsolved;
+    json["won"][label] = check.newly_solved;
+    json["better"][label] = check.better;
+    json["also_worse"][label] = check.also_worse;
+    json["also_better"][label] = check.also_better;
+    json["undecided"][label] = check.inconclusive;
+    json["not_tested"][label] = check.not_tested;
   }
-  if (const std::string same = verdict_of_same(all); !same.empty()) sentences.push_back(same);
+  if (const std::string same = identical_text(checks); !same.empty()) sentences.push_back(same);
   json["headline"] = fmt::format("{}", fmt::join(sentences, " "));
   json["files"] = base::OrderedJson::array();
   json["exit_code"] = code;
   return json;
 }
 
-std::string markdown_of(const std::vector<RegressionCheck>& all) {
+std::string make_markdown(const std::vector<RegressionCheck>& checks) {
   std::string text;
-  for (const RegressionCheck& gate : all) {
-    if (!is_told(gate)) continue;
-    const show::ReportModel answer = answer_of(gate);
-    std::vector<std::string> sentences{changed_targets_text(gate)};
+  for (const RegressionCheck& check : checks) {
+    if (!may_differ(check)) continue;
+    const show::ReportModel answer = make_report_model(check);
+    std::vector<std::string> sentences{changed_targets_text(check)};
     for (const Warning& warning : answer.all_warnings()) sentences.push_back(show::warning_sentence(warning));
     std::erase(sentences, "");
     text += fmt::format("**{}**\n\n{}\n{}\n{}\n\n", show::markdown_text(answer.verdict),
                         show::to_markdown(show::results_table(answer)), show::to_markdown(show::pairs_table(answer)),
                         show::markdown_text(fmt::format("{}", fmt::join(sentences, " "))));
   }
-  const std::string same = show::markdown_text(verdict_of_same(all));
-  std::vector<std::string> last{show::markdown_text(gate_note(all)), same.empty() ? "" : fmt::format("**{}**", same)};
-  std::erase(last, "");
-  return text + fmt::format("{}\n", fmt::join(last, "\n\n"));
+  const std::string same = show::markdown_text(identical_text(checks));
+  std::vector<std::string> notes{show::markdown_text(common_note(checks)),
+                                 same.empty() ? "" : fmt::format("**{}**", same)};
+  std::erase(notes, "");
+  return text + fmt::format("{}\n", fmt::join(notes, "\n\n"));
 }
 
 }  // namespace
@@ -340,12 +359,12 @@ void add_compare(const Command& command, Invocation& invocation) {
       "What the plan of the study names decides: its metric, and its `then`. Times decide nothing without "
       "--time-margin. No option changes a p: of two labels of a store it is that of the report.");
   command.callback([arguments, &invocation] {
-    const std::vector<RegressionCheck> all = compare_all(*arguments);
-    invocation.exit_code = exit_code(all, arguments->is_strict);
+    const std::vector<RegressionCheck> checks = compare_all(*arguments);
+    invocation.exit_code = exit_code(checks, arguments->is_strict);
     if (!arguments->output.empty())
-      base::write_through(arguments->output, [&](const base::Write& write) { write(markdown_of(all)); });
-    if (arguments->is_json) return show_json(json_of(all, invocation.exit_code));
-    fmt::print("{}", printable(screen_of(all)));
+      base::write_through(arguments->output, [&](const base::Write& write) { write(make_markdown(checks)); });
+    if (arguments->is_json) return show_json(make_json(checks, invocation.exit_code));
+    fmt::print("{}", printable(screen_text(checks)));
   });
 }
 

@@ -21,7 +21,7 @@ namespace ikbench::cli {
 
 namespace {
 
-// The state for the thread of SignalWatch.
+// The state that the thread of SignalWatch reads and writes.
 std::atomic<bool> cancel_requested{false}, may_cancel{false}, is_over{false};
 std::atomic<int> last_signal{0};
 std::mutex answering;
@@ -36,7 +36,7 @@ sigset_t watched_signals() {
   return set;
 }
 
-// Does not use the streams, which another thread may hold.
+// Writes without the C streams, which another thread may hold.
 void write_at_once(const std::string& text) { static_cast<void>(!write(STDERR_FILENO, text.data(), text.size())); }
 
 void watch(const sigset_t& set) {
@@ -53,23 +53,24 @@ void watch(const sigset_t& set) {
   }
 }
 
-// The only writer to standard error. If both streams go into one file, earlier standard output comes first.
+// Writes to standard error. Every other text but that of `write_at_once` goes through this function, so that earlier
+// standard output comes first if both streams go into one file.
 void write_error(const std::string& text) {
   std::fflush(stdout);
   std::fputs(text.c_str(), stderr);
   std::fflush(stderr);
 }
 
-constexpr std::size_t most_columns = 100, fewest_columns = 40;
+constexpr std::size_t max_columns = 100, min_columns = 40;
 
-// The columns of a stream; those of standard error break its lines too.
+// Returns the columns of the terminal behind a stream; max_columns if the stream is no terminal.
 std::size_t columns_of(int stream) {
   winsize size{};
-  if (isatty(stream) == 0 || ioctl(stream, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return most_columns;
-  return std::clamp<std::size_t>(size.ws_col, fewest_columns, most_columns);
+  if (isatty(stream) == 0 || ioctl(stream, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return max_columns;
+  return std::clamp<std::size_t>(size.ws_col, min_columns, max_columns);
 }
 
-// Rate and time left; empty before anything is done.
+// Returns rate and time left; empty before anything is done.
 std::string pace(const Progress& progress, double elapsed) {
   const std::int64_t solved = progress.done - progress.reused;
   if (solved <= 0 || elapsed <= 0) return "";
@@ -146,8 +147,8 @@ std::string align_columns(Rows rows, std::size_t width) {
 SignalWatch::SignalWatch() {
   const sigset_t set = watched_signals();
   pthread_sigmask(SIG_BLOCK, &set, nullptr);  // also in all later threads
-  std::signal(SIGXFSZ, SIG_IGN);              // beyond `ulimit -f` a write fails, and its sentence is told
-  std::signal(SIGCHLD, SIG_DFL);              // else, where a parent ignored it, nobody hears how a program ended
+  std::signal(SIGXFSZ, SIG_IGN);              // beyond `ulimit -f` a write then fails, with a message
+  std::signal(SIGCHLD, SIG_DFL);              // if a parent ignored it, exit codes of programs would be lost
   thread_ = std::thread([set] { watch(set); });
 }
 
@@ -206,8 +207,8 @@ void ProgressBar::show(const Progress& progress) {
 
 std::filesystem::path output_folder(std::string_view study, const std::string& out) {
   if (!out.empty()) return out;
-  constexpr std::size_t longest = 100;
-  std::string name(base::front(base::one_line(study), longest));
+  constexpr std::size_t max_length = 100;  // bytes
+  std::string name(base::front(base::one_line(study), max_length));
   for (char& c : name) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte < 0x80 && std::isalnum(byte) == 0 && c != '-' && c != '_' && c != '.') c = '_';

@@ -1,4 +1,5 @@
-// The terminal: its width, progress with time left, Ctrl-C, and harmless output of any text.
+// The terminal: its width, progress with time left, Ctrl-C, and output of any text that cannot harm a terminal. Every
+// command writes through these functions or through fmt::print with `printable`.
 #pragma once
 
 #include <atomic>
@@ -15,40 +16,41 @@
 
 namespace ikbench::cli {
 
-// What all commands speak of.
+// Commands use the names of these rooms without a prefix.
 using namespace base;
 using namespace results;
 using namespace experiments;
 
-// Makes any text valid UTF-8 with control characters as escapes or blanks, so that no name moves a cursor, colours a
-// terminal or reverses its writing; newlines stay.
+// Returns the text as valid UTF-8, with escapes or blanks for control characters. No name in it can then move a cursor,
+// colour a terminal or reverse the direction of writing. Newlines stay.
 std::string printable(std::string_view text);
 
-// Prints printable text on standard error, after all earlier standard output; a failure to print is ignored. Lines
-// break between words.
+// Prints text, made printable and wrapped, on standard error after all earlier standard output. A failure to print is
+// ignored.
 void print_message(std::string_view text);
-void warn(std::string_view text);         // says "warning: " and the text
-void print_error(std::string_view text);  // says "ikbench: " and the text: what is wrong, and what to do
+void warn(std::string_view text);         // prints "warning: " and the text
+void print_error(std::string_view text);  // prints "ikbench: " and the text, which says what is wrong and what to do
 
-// Says a command in a line of its own that never breaks, to paste.
+// Prints a command on one unbroken line, ready to paste.
 void print_command(std::string_view command);
 
-// Columns of standard output: those of the terminal, but at most 100; 100 where it is no terminal.
+// Returns the columns of the terminal, from 40 to 100; 100 if standard output is no terminal.
 std::size_t terminal_width();
-// Printable text whose lines break between words; further lines are indented. Longer words stay whole.
+// Returns the text, made printable, with lines that break between words. Continuation lines are indented; a word longer
+// than a line stays whole.
 std::string wrapped(std::string_view text, std::size_t width = terminal_width());
 
-// A program and its arguments as a shell would take them again.
+// Returns a program and its arguments as a command, quoted for a shell.
 std::string shell_command(std::string_view program, const std::vector<std::string>& arguments);
 
 using Rows = std::vector<std::vector<std::string>>;
-// Pads columns to their widest cell; the first row is the head. If the rows are wider than `width`, the words of the
-// widest columns are wrapped.
+// Returns rows as a table whose columns are padded to their widest cell; the first row is the head. If the rows are
+// wider than `width`, the words of the widest columns are wrapped.
 std::string align_columns(Rows rows, std::size_t width = terminal_width());
 
-// While it lives, a thread waits for SIGINT, SIGTERM and SIGHUP (unless started by nohup), so their handling may use
-// any function. They end the program with a sentence and 128 + the number of the signal, and remove scratch folders;
-// CancelOnSignal changes that. Make it once, before any other thread.
+// A thread that waits for SIGINT, SIGTERM and SIGHUP (not under nohup) until this object is destroyed. Because the
+// thread handles them, any function may be used. A signal ends the program with a sentence and exit code 128 + number,
+// after temporary folders are removed; a CancelOnSignal changes that. Make one, before any other thread.
 class SignalWatch : boost::noncopyable {
  public:
   SignalWatch();
@@ -58,24 +60,26 @@ class SignalWatch : boost::noncopyable {
   std::thread thread_;
 };
 
-// While it lives, a first signal sets a flag and says so; a second one ends the program.
+// A guard that lets a command end a signal's work in order: until this object is destroyed, a first signal sets
+// `requested` and prints a message, and a second one ends the program. Needs a SignalWatch.
 class CancelOnSignal : boost::noncopyable {
  public:
   CancelOnSignal();
   ~CancelOnSignal();
 
   const std::atomic<bool>& requested() const;
-  // Afterwards a signal ends the program. Returns true if one came before, which was announced and must be obeyed.
+  // Lets the next signal end the program. Returns true if a signal came before: a message has announced that the
+  // command stops, so the command must stop.
   [[nodiscard]] bool end();
 };
 
-// Thrown by what was cancelled, after it has said what is kept.
+// The exception that a cancelled command throws, after it has printed what is kept.
 struct Cancelled {};
-// The exit code of a cancelled program: 128 + the number of its signal.
+// Returns the exit code of a cancelled program: 128 + the number of the signal.
 int cancelled_exit_code();
 
-// Shows a progress on standard error, with rate and time left: on a terminal as a moving bar, which is wiped at the
-// end, in a log as a line now and then.
+// Shows progress on standard error, with rate and time left. On a terminal this is a moving bar, which the destructor
+// wipes; in a log it is a line every 30 s.
 class ProgressBar : boost::noncopyable {
  public:
   using Clock = std::chrono::steady_clock;
@@ -84,7 +88,7 @@ class ProgressBar : boost::noncopyable {
   ProgressBar(std::string title, std::string noun, bool on_terminal, Clock::time_point started);
   ~ProgressBar();
   void show(const experiments::Progress& progress);
-  // What is to be shown; empty if it is too soon after the last text.
+  // Returns the text to show at this time; empty if the last text was shown too recently.
   std::string text_at(Clock::time_point now, const experiments::Progress& progress);
 
  private:
@@ -93,7 +97,8 @@ class ProgressBar : boost::noncopyable {
   Clock::time_point started_, next_;
 };
 
-// `out`, or if it is empty out/<name>, where '_' replaces all of ASCII but letters, digits, '-', '_' and '.'.
+// Returns `out`, or out/NAME if `out` is empty. NAME is the study's name, in which '_' replaces each ASCII character
+// that is not a letter, a digit, '-', '_' or '.'.
 std::filesystem::path output_folder(std::string_view study, const std::string& out);
 
 }  // namespace ikbench::cli

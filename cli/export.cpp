@@ -1,4 +1,4 @@
-// ikbench export: a store's solves for other programs.
+// ikbench export: writes a store's solves for other programs.
 #include "results/export.hpp"
 
 #include <fmt/format.h>
@@ -21,19 +21,19 @@ namespace ikbench::cli {
 
 namespace {
 
-// Writes a store that was checked as one file, and returns its seal, which the file has, too.
+// Writes a store into one file, after its solves were checked, and returns the digest (seal) that the file has.
 std::string write_archive(const std::filesystem::path& store, const std::filesystem::path& file) {
   const TemporaryFolder folder(std::filesystem::absolute(file).parent_path(), file);
-  const std::filesystem::path made = folder.path() / "store.sqlite";
-  for (const std::string& why : merge(made, {store}, answer_check).skipped) print_message("left out: " + why);
+  const std::filesystem::path merged = folder.path() / "store.sqlite";
+  for (const std::string& reason : merge(merged, {store}, answer_check).skipped) print_message("left out: " + reason);
   std::string seal;
   {
-    Store archive(made, Store::Mode::write_shared);
-    const std::int64_t session = archive.begin_session({});  // which the seal covers
+    Store archive(merged, Store::Mode::write_shared);
+    const std::int64_t session = archive.begin_session({});  // begins before the seal, which covers sessions
     seal = seal_of(archive);
     archive.add_to_session(session, {{std::string(seal_fact), seal}});
   }
-  write_through(file, [&](const Write& write) { write(read_file(made).value()); });
+  write_through(file, [&](const Write& write) { write(read_file(merged).value()); });
   return seal;
 }
 
@@ -69,20 +69,21 @@ void add_export(const Command& command, Invocation&) {
     }
     const Store store(arguments->store, Store::Mode::read);
     const StoredStudy study = store.study(arguments->study);
-    const auto write_it = [&](const Contents& contents) {
+    const auto write_out = [&](const Contents& contents) {
       if (arguments->file != "-") return write_through(arguments->file, contents);
-      contents([](std::string_view part) { std::fwrite(part.data(), 1, part.size(), stdout); });  // which main checks
+      // The program checks standard output at its end.
+      contents([](std::string_view part) { std::fwrite(part.data(), 1, part.size(), stdout); });
     };
     if (arguments->format == "fingerprint") {
       const auto found = fingerprint(store, study);
-      return write_it([&](const Write& write) {
+      return write_out([&](const Write& write) {
         write(fmt::format("{}  {}  {}\n", found.text, found.solves, printable(study.name)));
       });
     }
     store.in_snapshot([&] {
       const std::vector<std::string> extras = store.extra_names(study);
       const SolveSource pass = [&](const SolveVisitor& take) { store.for_each_in_study(study, take); };
-      write_it([&](const Write& write) { write_csv(pass, write, extras); });
+      write_out([&](const Write& write) { write_csv(pass, write, extras); });
     });
   });
 }

@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::string_view start_of_store = "SQLite format 3", start_of_gzip = "\x1f\x8b", start_of_zip = "PK\x03\x04";
 
-// The table in a TOML file; none if it cannot be read as such, of which its reader says what is wrong.
+// Returns the table in a TOML file; nullopt if the file cannot be read as TOML. The file's reader then says what is
+// wrong.
 std::optional<toml::table> toml_in(const std::string& file) {
   std::error_code error;
   if (!file.ends_with(".toml") || !std::filesystem::is_regular_file(file, error)) return std::nullopt;
@@ -33,8 +34,8 @@ std::optional<toml::table> toml_in(const std::string& file) {
 // Returns the name of a file in messages.
 std::string name_of(const std::string& file) { return file == "-" ? "standard input" : file; }
 
-// A command whose output goes to a new file beside the input.
-std::string into_csv(std::string_view program, std::vector<std::string> arguments, const std::string& file) {
+// Returns a command whose output goes to a new file beside the input.
+std::string command_into_csv(std::string_view program, std::vector<std::string> arguments, const std::string& file) {
   if (file != "-") arguments.push_back(file);
   return fmt::format("{} {}", shell_command(program, arguments),
                      shell_command(">", {file == "-" ? "table.csv" : file + ".csv"}));
@@ -44,9 +45,10 @@ bool is_flat(const base::Json& row) {
   return row.is_object() && std::ranges::none_of(row, [](const base::Json& value) { return value.is_structured(); });
 }
 
-// Makes a table of objects that have the same members; `option` says how jq reads them.
-std::string of_objects(const char* option, const std::string& file) {
-  return into_csv("jq", {option, "(.[0] | keys_unsorted) as $names | $names, (.[] | [.[$names[]]]) | @csv"}, file);
+// Returns the command that makes a table of objects with the same members. `option` says how jq reads the objects.
+std::string command_for_objects(const char* option, const std::string& file) {
+  return command_into_csv("jq", {option, "(.[0] | keys_unsorted) as $names | $names, (.[] | [.[$names[]]]) | @csv"},
+                          file);
 }
 
 bool has_list(const base::Json& json, const char* list, const char* member) {
@@ -62,18 +64,19 @@ void refuse_json(std::string_view text, const std::string& file) {
   if (json.is_object() && has_list(json, "results", "times"))
     throw NotATable(
         fmt::format("{} is JSON by hyperfine; expected a table, which this command makes of it:", name_of(file)),
-        into_csv("jq", {"-r", R"(["command", "time_s"], (.results[] | [.command] + (.times[] | [.])) | @csv)"}, file));
+        command_into_csv("jq", {"-r", R"(["command", "time_s"], (.results[] | [.command] + (.times[] | [.])) | @csv)"},
+                         file));
   if (json.is_object() && has_list(json, "benchmarks", "real_time"))
     throw NotATable(
         fmt::format("{} is JSON by Google Benchmark; expected a table, which this command makes of it:", name_of(file)),
-        into_csv(
+        command_into_csv(
             "jq",
             {"-r", R"(["name", "time [\(.benchmarks[0].time_unit // "ns")]"], )"
                    R"((.benchmarks[] | select(.run_type != "aggregate") | [.run_name // .name, .real_time]) | @csv)"},
             file));
   if (json.is_array() && !json.empty() && std::ranges::all_of(json, is_flat))
     throw NotATable(fmt::format("{} is JSON; expected a table, which this command makes of it:", name_of(file)),
-                    of_objects("-r", file));
+                    command_for_objects("-r", file));
   if (!json.is_discarded())
     throw NotATable(fmt::format("{} is JSON; expected a table with a row for each value, such as CSV", name_of(file)),
                     "");
@@ -81,7 +84,7 @@ void refuse_json(std::string_view text, const std::string& file) {
   if (first.is_object())
     throw NotATable(
         fmt::format("{} is JSON, an object a line; expected a table, which this command makes of it:", name_of(file)),
-        of_objects("-rs", file));
+        command_for_objects("-rs", file));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// What a file is that somebody gave where another kind of file was expected, and the command for it.
+// Recognises files that were given where another kind of file was expected, so that a message can name the command for
+// them. Used by run, robot and stats.
 #pragma once
 
 #include <stdexcept>
@@ -7,20 +8,21 @@
 
 namespace ikbench::cli {
 
-// True of a file that begins as those of SQLite do.
+// Returns true if the file begins as SQLite files do; false if it cannot be read.
 bool is_store(const std::string& file);
-// True of a URDF file, by its name, and of a TOML file that has links and no solvers.
+// Returns true for the name of a URDF file, and for a TOML file that has links and no solvers.
 bool is_arm(const std::string& file);
 // Throws std::invalid_argument if the file, given as an arm, is a store or a study.
 void refuse_as_arm(const std::string& file);
 
-// A file, given as a table, that is something else. The command makes a table of it, or shows what it has.
+// The exception for a file that was given as a table and is something else. The command makes a table of the file, or
+// shows the file's results; empty: there is no command.
 struct NotATable : std::invalid_argument {
   NotATable(const std::string& what, std::string with) : std::invalid_argument(what), command(std::move(with)) {}
   std::string command;
 };
-// Throws NotATable if the text of a file, or of - for standard input, is none: a store, JSON, something compressed, a
-// spreadsheet.
+// Throws NotATable if the text is a store, JSON, compressed or a spreadsheet. `file` is the text's source for messages;
+// "-" is standard input.
 void refuse_no_table(std::string_view text, const std::string& file);
 
 }  // namespace ikbench::cli

@@ -1,4 +1,4 @@
-// ikbench list: solvers, robots, studies and so on, or one of them in full.
+// ikbench list: lists solvers, robots, studies and so on, or shows one of them in full.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -45,7 +45,7 @@ std::string solver_details(std::string_view name) {
 }
 
 std::string study_details(const std::string& name) {
-  if (std::error_code none; std::filesystem::is_regular_file(name, none)) {  // perhaps a stranger's
+  if (std::error_code none; std::filesystem::is_regular_file(name, none)) {  // perhaps of a stranger
     const toml::table study = parse_toml(text_of_file(name), name);
     const toml::array* const solvers = study["solvers"].as_array();
     const auto is_program = [](const toml::node& entry) {
@@ -97,7 +97,7 @@ Rows list_of(std::string_view kind) {
   return rows;
 }
 
-std::string listed(const std::string& kind, const std::string& name) {
+std::string list_text(const std::string& kind, const std::string& name) {
   if (kind == "figures" && name.empty()) return figure_list_text();
   if (name.empty()) return align_columns(list_of(kind));
   if (kind == "solvers") return solver_details(name);
@@ -129,7 +129,7 @@ void add_list(const Command& command, Invocation&) {
     if (arguments->kind.empty()) return fmt::print("{}\n", fmt::join(kinds, "\n"));
     if (std::ranges::find(kinds, arguments->kind) == kinds.end())
       throw std::invalid_argument(unknown_name("kind of list", arguments->kind, kinds) + "; figures lists styles, too");
-    const std::string text = listed(arguments->kind, arguments->name);
+    const std::string text = list_text(arguments->kind, arguments->name);
     fmt::print("{}", isatty(STDOUT_FILENO) != 0 ? printable(text) : text);  // a file keeps every letter
   });
 }

@@ -1,4 +1,4 @@
-// ikbench: which inverse-kinematics solver is better, and does a published claim hold?
+// ikbench, the program: reads the command line, runs one command and turns exceptions into messages and exit codes.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,7 +35,7 @@ namespace {
 namespace cli = ikbench::cli;
 using namespace ikbench::base;
 
-// Its lines are as wide as those of other texts.
+// Formats --help in lines as wide as those of other texts.
 class Help : public CLI::Formatter {
  public:
   std::string make_option_desc(const CLI::Option* option) const override {
@@ -47,10 +47,11 @@ class Help : public CLI::Formatter {
   }
 };
 
-constexpr auto unwritten = "cannot write to standard output; make room on its disk, or do not close it";
+constexpr auto cannot_write = "cannot write to standard output; make room on its disk, or do not close it";
 
-// CLI11 does not say which word it did not know, and names no option that is like it.
-int exit_code_of(const CLI::App& app, const CLI::ParseError& error, const std::string& first) {
+// Prints a mistake on the command line, or the help that was asked for, and returns the exit code. CLI11 does not say
+// which word it did not know, and names no option that is like it, so this function does.
+int report_parse_error(const CLI::App& app, const CLI::ParseError& error, const std::string& first) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   std::vector<std::string> names;
   if (chosen.empty() && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
@@ -62,29 +63,30 @@ int exit_code_of(const CLI::App& app, const CLI::ParseError& error, const std::s
   const std::vector<std::string> rest = command.remaining();
   const auto option = std::ranges::find_if(rest, [](const std::string& word) { return word.starts_with('-'); });
   if (option != rest.end() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-    for (const CLI::Option* each : command.get_options())
-      for (const std::string& name : each->get_lnames()) names.push_back("--" + name);
+    for (const CLI::Option* known : command.get_options())
+      for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
     cli::print_error(unknown_name("option of " + command.get_name(), option->substr(0, option->find('=')), names));
     return 1;
   }
   if (app.exit(error) != 0) return 1;
   if (std::cout.flush()) return 0;
-  cli::print_error(unwritten);
+  cli::print_error(cannot_write);
   return 2;
 }
 
-int exit_code_of(const std::exception& error) {
+// True for an invalid argument, which is a user's mistake.
+bool is_mistake(const std::exception& error) { return dynamic_cast<const std::invalid_argument*>(&error) != nullptr; }
+
+std::string error_text(const std::exception& error) {
   const auto* const of_system = dynamic_cast<const std::system_error*>(&error);
-  const bool is_mistake = dynamic_cast<const std::invalid_argument*>(&error) != nullptr;
-  // No space left, a store that another process writes, ...
-  const bool is_of_system = dynamic_cast<const std::runtime_error*>(&error) != nullptr;
+  if (of_system != nullptr && std::ferror(stdout) != 0) return cannot_write;
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
+    return "there is not enough memory (ulimit -v, or the machine's)";
+  // A runtime_error is the system's: no space left, a store that another process writes, ...
+  const bool is_expected = is_mistake(error) || dynamic_cast<const std::runtime_error*>(&error) != nullptr;
   const bool is_thread = of_system != nullptr && of_system->code() == std::errc::resource_unavailable_try_again;
-  cli::print_error(of_system != nullptr && std::ferror(stdout) != 0 ? unwritten
-                   : dynamic_cast<const std::bad_alloc*>(&error) != nullptr
-                       ? "there is not enough memory (ulimit -v, or the machine's)"
-                       : fmt::format("{}{}{}", is_mistake || is_of_system ? "" : "internal error: ", error.what(),
-                                     is_thread ? " for a thread; raise ulimit -v or -u" : ""));
-  return is_mistake ? 1 : 2;
+  return fmt::format("{}{}{}", is_expected ? "" : "internal error: ", error.what(),
+                     is_thread ? " for a thread; raise ulimit -v or -u" : "");
 }
 
 }  // namespace
@@ -111,19 +113,20 @@ int main(int argc, char** argv) {
   if (words.empty()) words.emplace_back("--help");
   const std::string first = words.front();
   std::ranges::reverse(words);  // as CLI11 takes them
-  // What is opened later must not become a standard stream that the caller has closed; to write to it fails.
+  // A file that is opened later must not become a standard stream that the caller has closed. Writing to /dev/null,
+  // opened for reading, fails as writing to a closed stream does.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
   try {
     const cli::SignalWatch signals;
-    static_cast<void>(ikbench::numerics::instruction_set());  // says that IKBENCH_INSTRUCTION_SET is wrong before all
+    static_cast<void>(ikbench::numerics::instruction_set());  // refuses a wrong IKBENCH_INSTRUCTION_SET first
     app.parse(words);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw std::runtime_error(unwritten);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw std::runtime_error(cannot_write);
     return invocation.exit_code;
   } catch (const cli::Cancelled&) {
     return cli::cancelled_exit_code();
   } catch (const CLI::ParseError& error) {
-    return exit_code_of(app, error, first);
+    return report_parse_error(app, error, first);
   } catch (const ikbench::robots::LinkQuestion& question) {
     cli::print_error(std::string(question.what()) + "; type one of");
     for (const auto& [option, link, joints] : question.answers)
@@ -131,6 +134,7 @@ int main(int argc, char** argv) {
           fmt::format("{}    # {}", cli::shell_command(invocation.command, {option, link}), counted(joints, "joints")));
     return 1;
   } catch (const std::exception& error) {
-    return exit_code_of(error);
+    cli::print_error(error_text(error));
+    return is_mistake(error) ? 1 : 2;
   }
 }

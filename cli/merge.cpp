@@ -20,15 +20,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The stores that a place means: a file itself; a folder's store.sqlite; or, if it has none, those of the folders in
-// it, by name. Throws std::invalid_argument if there is none, or if a folder cannot be read.
+// Returns the stores that a place stands for: a file stands for itself, and a folder for its store.sqlite. A folder
+// without one stands for the stores of the folders in it, by name. Throws std::invalid_argument if there is no store,
+// or if a folder cannot be read.
 std::vector<fs::path> stores_in(const fs::path& place) {
   std::error_code error;
   if (!fs::is_directory(place, error)) return {place};  // opening it says what is wrong
   if (fs::exists(store_path(place), error)) return {store_path(place)};
   std::vector<fs::path> stores;
   for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
-    std::error_code unknown;  // of a store that cannot be looked at, opening it says why
+    std::error_code unknown;  // if a store cannot be looked at, opening it says why
     if (fs::exists(store_path(entry->path()), unknown) || unknown) stores.push_back(store_path(entry->path()));
   }
   if (error) base::refuse_place("read", place, error.value());
@@ -70,14 +71,14 @@ void add_merge(const Command& command, Invocation& invocation) {
     const MergeResult merged = [&] {
       ProgressBar bar("merging", "stores");
       return merge(out, stores, experiments::stored_solve_check,
-                   [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); });
+                   [&](std::int64_t done, std::int64_t total) { bar.show({.done = done, .total = total}); });
     }();
     fmt::print("{}\n", wrapped(fmt::format("{}: {} added from {}, {} were there with the same bits", out.string(),
                                            base::counted(merged.added, "solves"),
                                            base::counted(merged.stores, "stores"), merged.duplicates)));
     for (const std::string& lack : merged.incomplete)
       print_message(lack + "; solve its missing shards, then merge again");
-    for (const std::string& why : merged.skipped) print_message("left out: " + why);
+    for (const std::string& reason : merged.skipped) print_message("left out: " + reason);
     if (!merged.incomplete.empty()) invocation.exit_code = 5;
     if (!merged.skipped.empty()) invocation.exit_code = 1;
   });

@@ -41,9 +41,8 @@ Option Option::time() const {
 Option Option::number_in(std::pair<double, double> range) const {
   return {in_cli11->check([range](const std::string& text) {
     const auto value = base::number_from(text);
-    return value && *value >= range.first && *value <= range.second
-               ? std::string()
-               : fmt::format("{} is not a number from {} to {}", text.substr(0, 100), range.first, range.second);
+    if (value && *value >= range.first && *value <= range.second) return std::string();
+    return fmt::format("{} is not a number from {} to {}", text.substr(0, 100), range.first, range.second);
   })};
 }
 
@@ -60,16 +59,16 @@ Option Option::whole_number(std::pair<std::int64_t, std::int64_t> range) const {
 }
 
 Option Command::add(const std::string& name, OptionTarget value, const std::string& meaning) const {
-  const auto added = [&](auto* its) {
-    using Kept = std::remove_pointer_t<decltype(its)>;
-    if constexpr (std::is_same_v<Kept, bool>) return in_cli11->add_flag(name, *its, meaning);
-    CLI::Option* const option = in_cli11->add_option(name, *its, meaning);
-    if constexpr (!std::is_arithmetic_v<Kept>)
+  const auto add_to_cli11 = [&](auto* target) {
+    using Value = std::remove_pointer_t<decltype(target)>;
+    if constexpr (std::is_same_v<Value, bool>) return in_cli11->add_flag(name, *target, meaning);
+    CLI::Option* const option = in_cli11->add_option(name, *target, meaning);
+    if constexpr (!std::is_arithmetic_v<Value>)
       option->check([](const std::string& text) { return text.empty() ? "it is empty" : ""; });
-    if (std::is_same_v<Kept, std::vector<std::string>>) return option->allow_extra_args(!name.starts_with('-'));
-    return *its > Kept() ? option->capture_default_str() : option;
+    if (std::is_same_v<Value, std::vector<std::string>>) return option->allow_extra_args(!name.starts_with('-'));
+    return *target > Value() ? option->capture_default_str() : option;
   };
-  return {std::visit(added, value)};
+  return {std::visit(add_to_cli11, value)};
 }
 
 Option Command::option(const std::string& name) const { return {in_cli11->get_option(name)}; }

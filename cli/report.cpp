@@ -1,10 +1,8 @@
-// ikbench report: tables and figures from any store, without solving.
+// ikbench report: writes tables and figures from any store, without solving.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -22,6 +20,20 @@ namespace ikbench::cli {
 
 namespace {
 
+// Returns the first list that names each study differently: names of studies, arms or folders; otherwise the files.
+const std::vector<std::string>& distinct_names(const std::vector<std::string>& names,
+                                               const std::vector<std::string>& arms,
+                                               const std::vector<std::string>& folders,
+                                               const std::vector<std::string>& files) {
+  const auto are_distinct = [](const std::vector<std::string>& texts) {
+    return std::set<std::string>(texts.begin(), texts.end()).size() == texts.size();
+  };
+  for (const std::vector<std::string>* const texts : {&names, &arms, &folders})
+    if (are_distinct(*texts)) return *texts;
+  return files;
+}
+
+// Writes one table of several stores: solvers by studies.
 void write_studies(const std::vector<std::string>& files, const std::string& study, const std::string& out,
                    const ReportArguments& report) {
   if (out.empty()) throw std::invalid_argument("several stores: where shall the table be written? --out FOLDER");
@@ -29,7 +41,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
     throw std::invalid_argument("several stores make one table: without --json, --figures, --style and --beside");
   std::vector<show::ReportModel> studies;
   std::vector<std::string> names, arms, folders;
-  std::set<std::string> keys;  // of all series
+  std::set<std::string> keys;  // of the series of all stores
   for (const std::string& file : files) {
     const Store store(file, Store::Mode::read);
     const StoredStudy entry = store.study(study);
@@ -42,12 +54,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
     folders.push_back(std::filesystem::path(file).parent_path().filename());
     studies.push_back(show::answer_of(judged));
   }
-  const auto tell_apart = [](const std::vector<std::string>& all) {
-    return std::set<std::string>(all.begin(), all.end()).size() == all.size();
-  };
-  const std::array ways{names, arms, folders, files};
-  const auto& told = *std::find_if(ways.begin(), std::prev(ways.end()), tell_apart);
-  show::Table table = show::studies_table(studies, told);
+  show::Table table = show::studies_table(studies, distinct_names(names, arms, folders, files));
   const auto unit = &show::Column::unit;
   if (files.size() > 6 && std::ranges::count(table.columns, table.columns.back().unit, unit) == std::ssize(files))
     table = show::transposed(table);

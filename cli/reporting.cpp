@@ -37,13 +37,15 @@ constexpr EmbeddedFile styles[]{
 
 using figures::is_meant;
 
-// Before anything is solved; a study may lack a figure that others have.
+// Throws std::invalid_argument for names that no figure of any study has. A name that only other studies have is
+// accepted, because the study's figures are not known before it is solved.
 void refuse_unknown_figures(const std::vector<std::string>& names) {
-  std::vector<std::string> all;
-  for (const auto& [name, meaning] : show::figure_list()) all.push_back(name);
-  for (const std::string& name : names)
-    if (std::ranges::none_of(all, [&](const auto& figure) { return is_meant(figure, name) || is_meant(name, figure); }))
-      throw std::invalid_argument(unknown_name("figure", name, all));
+  std::vector<std::string> known;
+  for (const auto& [name, meaning] : show::figure_list()) known.push_back(name);
+  for (const std::string& name : names) {
+    const auto is_named = [&](const auto& figure) { return is_meant(figure, name) || is_meant(name, figure); };
+    if (std::ranges::none_of(known, is_named)) throw std::invalid_argument(unknown_name("figure", name, known));
+  }
 }
 
 std::vector<std::string> shipped_styles() {
@@ -52,31 +54,32 @@ std::vector<std::string> shipped_styles() {
   return names;
 }
 
-// The shipped style of this name, else of a file.
+// Returns the text of the shipped style of this name, otherwise of the file of this name.
 std::string style_text(const std::string& name) {
-  constexpr std::uintmax_t largest = 100'000;
+  constexpr std::uintmax_t max_bytes = 100'000;
   if (const EmbeddedFile* const shipped = find_embedded(styles, name)) return std::string(shipped->text);
   if (std::error_code none; !std::filesystem::exists(name, none))
     throw std::invalid_argument(unknown_name("style", name, shipped_styles()) + "; or name a file that is there");
-  return text_of_file(name, largest);
+  return text_of_file(name, max_bytes);
 }
 
-// Solvers whose program failed in every solve; one that only misses, or declines, did answer.
+// Returns the solvers whose process failed in every solve. A solver that misses all targets, or declines them, does
+// answer.
 std::vector<std::string> never_answering(const judge::StudyResults& study) {
   std::vector<std::string> labels;
   for (const std::string& label : study.labels) {
     const auto failed = [](const judge::SolveSummary& solve) {
       return solve.status >= Status::crashed && solve.status <= Status::protocol_error;
     };
-    const judge::Solves all = study.of(label);
-    if (!all.empty() && std::ranges::all_of(all, failed)) labels.push_back(label);
+    const judge::Solves solves = study.of(label);
+    if (!solves.empty() && std::ranges::all_of(solves, failed)) labels.push_back(label);
   }
   return labels;
 }
 
-// Says which solvers gave no answer in any solve; returns whether there are such.
-bool tell_silent(const judge::StudyResults& solved, bool is_json) {
-  const std::vector<std::string> silent = never_answering(solved);
+// Prints which solvers gave no answer in any solve; returns false if there are none.
+bool print_never_answering(const judge::StudyResults& results, bool is_json) {
+  const std::vector<std::string> silent = never_answering(results);
   if (silent.empty()) return false;
   const std::string text =
       fmt::format("{} gave no answer in any solve (crash, time-out or protocol).", base::listed(silent));
@@ -85,6 +88,32 @@ bool tell_silent(const judge::StudyResults& solved, bool is_json) {
   else
     fmt::print("{}\n", wrapped(text));
   return true;
+}
+
+// Returns the results of the library solvers that are shipped with the program. The archive lacks a definition, so that
+// of its study is made here.
+judge::StudyResults results_of_archive(const std::string& robot) {
+  judge::StudyResults results = judge::read_archive(robot);
+  const std::string lm = fmt::format("[[solvers]]\nsolver = \"{}\"", judge::time_reference_solver);
+  Overrides settings = judge::archive_settings();
+  settings.push_back("robot=" + robot);
+  const StoredStudy archive = to_stored(parse_study(lm, std::string(judge::archive_name), settings));
+  results.definition = archive.definition;
+  for (Series& series : results.series)
+    if (series.algorithm == judge::time_reference_solver) series.options = archive.series.front().options;
+  return results;
+}
+
+// Returns the results of the study of this name in another store, or of its first study if no study has the name.
+judge::StudyResults results_of_store(const std::string& file, const std::string& name) {
+  const Store store(file, Store::Mode::read);
+  const std::vector<StoredStudy> named = store.studies(name);
+  judge::StudyResults results = read_checked(store, named.empty() ? store.study("") : named.front());
+  const std::string began = results.sessions.empty() ? "" : results.sessions.front().began;
+  const std::string month =
+      began.size() < 7 ? "" : fmt::format(", {}/{}", began.substr(5, 2), began.substr(0, 4));  // "2026-11-30 ..."
+  results.imported.origin = fmt::format("in {}{}", file, month);
+  return results;
 }
 
 }  // namespace
@@ -110,12 +139,12 @@ std::string figure_list_text() {
 
 FigureStyle apply_style(FigureStyle style, const std::vector<std::string>& labels, const ReportArguments& arguments) {
   for (const std::string& name : arguments.styles) read_style_text(style_text(name), name, style);
-  std::vector<std::string> named, texts = labels;
-  for (const auto& [name, words] : style.words) {
-    named.push_back(name);
-    for (const auto& [of, text] : words) texts.push_back(text);
+  std::vector<std::string> reworded, texts = labels;
+  for (const auto& [figure, words] : style.words) {
+    reworded.push_back(figure);
+    for (const auto& [axis, text] : words) texts.push_back(text);
   }
-  refuse_unknown_figures(named);
+  refuse_unknown_figures(reworded);
   for (const std::string& label : style.solvers)
     if (std::ranges::find(labels, label) == labels.end())
       throw std::invalid_argument(fmt::format("solvers of [figures]: {}", unknown_name("solver", label, labels)));
@@ -145,20 +174,20 @@ std::vector<std::string> citation_keys_of(std::string_view name) {
   return keys;
 }
 
-void write_and_print(show::Report reported, const std::filesystem::path& folder, const ReportArguments& arguments,
+void write_and_print(show::Report report, const std::filesystem::path& folder, const ReportArguments& arguments,
                      const FigureStyle& style, const std::string& screen) {
   std::set<std::string> names, keys;
-  for (const Series& series : reported.study.series)
-    names.insert({series.algorithm, reported.study.definition.robot, reported.study.definition.published});
+  for (const Series& series : report.study.series)
+    names.insert({series.algorithm, report.study.definition.robot, report.study.definition.published});
   names.erase("");
   for (const std::string& name : names) std::ranges::copy(citation_keys_of(name), std::inserter(keys, keys.end()));
-  reported.citation_keys.assign(keys.begin(), keys.end());
-  reported.references = references[0].text;
+  report.citation_keys.assign(keys.begin(), keys.end());
+  report.references = references[0].text;
   std::optional<ProgressBar> bar(std::in_place, "drawing", "figures");
   show::WrittenReport written = show::write_report(
-      reported, folder,
+      report, folder,
       {.only = arguments.figures,
-       .progress = [&](std::int64_t done, std::int64_t all) { bar->show({.done = done, .total = all}); },
+       .progress = [&](std::int64_t done, std::int64_t total) { bar->show({.done = done, .total = total}); },
        .style = style},
       program_name());
   bar.reset();  // leaves its line to the screen
@@ -172,12 +201,12 @@ void write_and_print(show::Report reported, const std::filesystem::path& folder,
     if (name != "none" && !is_there(name))
       warn(fmt::format("there is nothing to draw for {}; what it is of: ikbench list figures", name));
   if (arguments.is_json) {
-    base::OrderedJson json = show::to_json(reported.answer);
+    base::OrderedJson json = show::to_json(report.answer);
     json["files"] = written.files;
     return show_json(json);
   }
   const std::string page = written.page.string();
-  fmt::print("{}", printable(screen.empty() ? show::terminal_report(reported.answer, page)
+  fmt::print("{}", printable(screen.empty() ? show::terminal_report(report.answer, page)
                                             : fmt::format("{}Report: {}\n", screen, page)));
 }
 
@@ -185,68 +214,53 @@ bool write_and_announce(const Store& store, const StoredStudy& study, const std:
                         const ReportArguments& arguments, const std::optional<judge::StudyResults>& beside) {
   const FigureStyle style =
       apply_style(study.definition.figures, labels_of(study), arguments);  // refuses before the study is read
-  judge::StudyResults solved = read_and_export(store, study, folder);
-  const bool are_silent = tell_silent(solved, arguments.is_json);
-  if (beside) judge::add_imported(solved, *beside);
-  judge::JudgedStudy judged = judge::judge(std::move(solved));
+  judge::StudyResults results = read_and_export(store, study, folder);
+  const bool has_silent = print_never_answering(results, arguments.is_json);
+  if (beside) judge::add_imported(results, *beside);
+  judge::JudgedStudy judged = judge::judge(std::move(results));
   const figures::Look look = figures::look_of(judged, style);
   std::vector<figures::Figure> pictures = figures::of_study(judged, look);
   write_and_print(show::make_report(std::move(judged), std::move(pictures)), folder, arguments, look.style);
-  return are_silent;
+  return has_silent;
 }
 
 bool show_answer(const Store& store, const StoredStudy& study, const std::optional<judge::StudyResults>& beside) {
-  judge::StudyResults solved = read_checked(store, study);
-  const bool are_silent = tell_silent(solved, true);
-  if (beside) judge::add_imported(solved, *beside);
-  show_json(show::to_json(show::make_report(judge::judge(std::move(solved)), {}).answer));
-  return are_silent;
+  judge::StudyResults results = read_checked(store, study);
+  const bool has_silent = print_never_answering(results, true);
+  if (beside) judge::add_imported(results, *beside);
+  show_json(show::to_json(show::make_report(judge::judge(std::move(results)), {}).answer));
+  return has_silent;
 }
 
 std::optional<judge::StudyResults> imported_results(const StoredStudy& study, const ReportArguments& arguments) {
   if (arguments.beside.empty()) return {};
-  judge::StudyResults theirs;
-  if (arguments.beside == judge::archive_name) {
-    theirs = judge::read_archive(study.definition.robot);
-    const std::string lm = fmt::format("[[solvers]]\nsolver = \"{}\"", judge::time_reference_solver);
-    Overrides settings = judge::archive_settings();
-    settings.push_back("robot=" + study.definition.robot);
-    const StoredStudy archive = to_stored(parse_study(lm, arguments.beside, settings));
-    theirs.definition = archive.definition;
-    for (results::Series& series : theirs.series)
-      if (series.algorithm == judge::time_reference_solver) series.options = archive.series.front().options;
-  } else {
-    const Store store(arguments.beside, Store::Mode::read);
-    const std::vector<StoredStudy> named = store.studies(study.name);
-    theirs = read_checked(store, named.empty() ? store.study("") : named.front());
-    const std::string began = theirs.sessions.empty() ? "" : theirs.sessions.front().began;
-    theirs.imported.origin = "in " + arguments.beside +
-                             (began.size() < 7 ? "" : fmt::format(", {}/{}", began.substr(5, 2), began.substr(0, 4)));
-  }
-  judge::require_same_study(theirs, study);
-  return theirs;
+  judge::StudyResults imported = arguments.beside == judge::archive_name
+                                     ? results_of_archive(study.definition.robot)
+                                     : results_of_store(arguments.beside, study.name);
+  judge::require_same_study(imported, study);
+  return imported;
 }
 
 judge::StudyResults read_checked(const Store& store, const StoredStudy& entry, const SolveVisitor& also) {
-  judge::StudyResults study =
+  judge::StudyResults results =
       judge::read_study(store, entry, [&, check = stored_solve_check(entry)](const SolveRecord& solve) {
         check(solve);
         if (also) also(solve);
       });
-  if (study.solves.empty())
+  if (results.solves.empty())
     throw std::invalid_argument(
         fmt::format("no solve of {} in the store is by its solvers as they are now; run the study", entry.name));
-  return study;
+  return results;
 }
 
 judge::StudyResults read_and_export(const Store& store, const StoredStudy& entry, const std::filesystem::path& folder) {
-  judge::StudyResults study;
-  const auto pass = [&](const SolveVisitor& take) { study = read_checked(store, entry, take); };
+  judge::StudyResults results;
+  const auto pass = [&](const SolveVisitor& take) { results = read_checked(store, entry, take); };
   write_file(folder / "solves.csv", [&](const Write& write) {
     write_csv(pass, write, store.extra_names(entry));
-    show::reserve_files(folder, {"solves.csv"});  // now that all solves are read, and before it has its name
+    show::reserve_files(folder, {"solves.csv"});  // once all solves are read, and before the file gets its name
   });
-  return study;
+  return results;
 }
 
 }  // namespace ikbench::cli

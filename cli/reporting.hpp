@@ -1,4 +1,5 @@
-// Writing and announcement of a report, for the commands that do it.
+// Reports for the commands that read stores or tables: reads and checks solves, writes the report into a folder, and
+// prints the screen or the JSON.
 #pragma once
 
 #include <filesystem>
@@ -16,44 +17,50 @@ struct Report;
 
 namespace ikbench::cli {
 
+// The options of a report, as given on the command line.
 struct ReportArguments {
   bool is_json = false;
   std::vector<std::string> figures = {};  // names; empty: all
   std::vector<std::string> styles = {};   // shipped, or files; their keys replace those of the study
-  std::string beside = {};                // the archive, or a store; empty: nothing
+  std::string beside = {};                // imported results: the archive, or a store; empty: none
 };
 
-// The names of figures, and the keys of their look.
+// Returns the names of figures, and the keys of their look.
 std::string figure_list_text();
+// Adds the options of a report; --beside only if the report is of a study.
 void add_report_options(const Command& command, ReportArguments& arguments, bool is_of_study = false);
-// Of a study of these labels, with the style file, if there is one. Throws std::invalid_argument for what cannot be
-// drawn. Call it before anything is solved.
+// Returns the study's style with the styles of --style applied in their order. Throws std::invalid_argument if a
+// figure, a solver or a font is not known. Commands that solve call it first, because solving may take hours.
 results::FigureStyle apply_style(results::FigureStyle style, const std::vector<std::string>& labels,
                                  const ReportArguments& arguments);
+// Returns the labels of the study's series, in their order.
 std::vector<std::string> labels_of(const results::StoredStudy& stored);
 
-// The keys of docs/references.bib whose keywords name a solver, an arm or a paper.
+// Returns the keys of docs/references.bib whose keywords name this solver, arm or paper.
 std::vector<std::string> citation_keys_of(std::string_view name);
-// Writes the report into the folder, and prints its screen (the study's, if it is empty) or JSON.
-void write_and_print(show::Report reported, const std::filesystem::path& folder, const ReportArguments& arguments,
+// Writes the report into the folder, and prints JSON or `screen`. An empty `screen` stands for the report's own.
+void write_and_print(show::Report report, const std::filesystem::path& folder, const ReportArguments& arguments,
                      const results::FigureStyle& style, const std::string& screen = {});
-// What stands beside a study; none if nothing does. Throws std::invalid_argument if it is of another.
+// Returns the results that --beside names; nullopt if the option is not given. Throws std::invalid_argument if they are
+// of a different study.
 std::optional<judge::StudyResults> imported_results(const results::StoredStudy& study,
                                                     const ReportArguments& arguments);
-// The report of a study of the store, written and announced. Says first which solvers gave no answer in any solve, and
-// returns whether there are such.
+// Writes the report of a study in the store, and prints its screen or JSON. Returns true if a solver gave no answer in
+// any solve, after a message that names the solvers.
 bool write_and_announce(const results::Store& store, const results::StoredStudy& study,
                         const std::filesystem::path& folder, const ReportArguments& arguments,
                         const std::optional<judge::StudyResults>& beside);
 
-// Prints the answer of a study of the store as JSON, without a report; returns as write_and_announce does.
+// Prints the judged study as JSON, and writes nothing. Returns true, with a message, if a solver gave no answer in any
+// solve.
 bool show_answer(const results::Store& store, const results::StoredStudy& study,
                  const std::optional<judge::StudyResults>& beside);
 
-// Reads a study, computes the errors of all its solves again (experiments/runner.hpp), and passes each on to `also`.
+// Reads a study, checks each solve by experiments/stored_checks.hpp, and passes the solve on to `also`. Throws
+// std::invalid_argument if a check fails, or if the study's solvers have no solve in the store.
 judge::StudyResults read_checked(const results::Store& store, const results::StoredStudy& entry,
                                  const results::SolveVisitor& also = {});
-// The same, and writes the solves into the folder's solves.csv, which belongs to its report.
+// Reads a study as read_checked does, and writes the solves into solves.csv of the report's folder.
 judge::StudyResults read_and_export(const results::Store& store, const results::StoredStudy& entry,
                                     const std::filesystem::path& folder);
 

@@ -1,4 +1,5 @@
-// ikbench reproduce: every study of a paper in one store, the readings of what it leaves open, and one report.
+// ikbench reproduce: solves every study of a paper into one store, with the interpretations of what the paper leaves
+// open, and writes one report.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -31,10 +32,13 @@ using papers::Paper;
 
 namespace {
 
+constexpr std::string_view slim2023_name = "slim2023";
+
 struct Arguments {
   std::string paper;
-  std::int64_t seed = -1;   // as in its studies
-  int runs = 0, seeds = 3;  // 0 runs: as in the paper
+  std::int64_t seed = -1;  // -1: as in its studies
+  int runs = 0;            // 0: as in the paper
+  int seeds = 3;           // of the interpretations; 0: none is solved
   RunArguments run;
   ReportArguments report;
 };
@@ -43,7 +47,8 @@ Overrides overridden_runs(const Arguments& arguments) {
   return arguments.runs == 0 ? Overrides() : Overrides{fmt::format("runs={}", arguments.runs)};
 }
 
-// Those that the paper names, and where it has a table of arms, the first on each further arm.
+// Returns the studies that the paper names. If the paper has a table of arms, its first study on each further arm
+// follows.
 std::vector<Study> studies_of(const Paper& paper, const Arguments& arguments) {
   std::vector<Study> studies;
   const auto add = [&](const std::string& name, Overrides overrides) {
@@ -59,10 +64,10 @@ std::vector<Study> studies_of(const Paper& paper, const Arguments& arguments) {
   return studies;
 }
 
-// How many equal the references, which every machine should give, and which differ. Solvers of libraries have no
-// reference: their bits are the library's.
-std::string fingerprints_of(const Store& store, const std::vector<judge::JudgedStudy>& studies,
-                            const std::vector<Study>& as_built_in) {
+// Returns how many studies have the fingerprint that every machine should give, and which differ. Library solvers are
+// left out, because their bits change with the library.
+std::string fingerprints_text(const Store& store, const std::vector<judge::JudgedStudy>& studies,
+                              const std::vector<Study>& as_built_in) {
   std::vector<std::string> different;
   std::size_t compared = 0;
   for (std::size_t i = 0; i < studies.size(); ++i) {
@@ -83,20 +88,20 @@ std::string fingerprints_of(const Store& store, const std::vector<judge::JudgedS
                      different.empty() ? "" : "; different: ", fmt::join(different, ", "));
 }
 
-// Where no time is measured all processors may work.
-int jobs_of(const Arguments& arguments) {
+// Returns the number of solves at once of a multiverse: one per processor, since no times are measured.
+int multiverse_jobs(const Arguments& arguments) {
   return std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
 }
 
-// Solves all combinations of what a paper leaves open, with progress. After Ctrl-C it says so, and throws Cancelled:
-// shares need all readings.
-papers::SolvedMultiverse solved_multiverse(const Arguments& arguments, const std::string& study,
-                                           const std::vector<Dimension>& varied, int seeds) {
+// Solves all combinations of what a paper leaves open, with progress. After Ctrl-C it prints a message and throws
+// Cancelled, and keeps nothing, because a claim's share needs all interpretations.
+papers::SolvedMultiverse solve_interpretations(const Arguments& arguments, const std::string& study,
+                                               const std::vector<Dimension>& varied, int seeds) {
   CancelOnSignal signals;
   const MultiversePlan plan = plan_multiverse(study, varied, seeds, overridden_runs(arguments));
   std::optional<ProgressBar> bar("readings");
   const std::vector<SeriesMeans> means =
-      solve_multiverse(plan.parts, {.jobs = jobs_of(arguments),
+      solve_multiverse(plan.parts, {.jobs = multiverse_jobs(arguments),
                                     .progress = [&](const Progress& progress) { bar->show(progress); },
                                     .cancelled = &signals.requested()});
   bar.reset();  // leaves its line to the next words
@@ -110,101 +115,109 @@ papers::SolvedMultiverse solved_multiverse(const Arguments& arguments, const std
   return multiverse;
 }
 
-papers::JudgedMultiverse judged_readings(const Arguments& arguments, const Paper& paper) {
-  const std::vector<Dimension> all = read_dimensions(paper.name);
-  if (arguments.seeds == 0 || all.empty()) return {};
-  return papers::judged(paper, solved_multiverse(arguments, paper.name, all, arguments.seeds),
+papers::JudgedMultiverse judge_interpretations(const Arguments& arguments, const Paper& paper) {
+  const std::vector<Dimension> dimensions = read_dimensions(paper.name);
+  if (arguments.seeds == 0 || dimensions.empty()) return {};
+  return papers::judged(paper, solve_interpretations(arguments, paper.name, dimensions, arguments.seeds),
                         load_study(paper.name).plan);
 }
 
-// Of each reading of the table of means, the paper's own first.
+// Returns the counts by seed of each interpretation of the table of means, the paper's own first; empty if the paper
+// has no such table.
 std::vector<papers::SeedCounts> counts_of(const Arguments& arguments, const papers::Repeated& repeated) {
   constexpr int seeds = 8;
   std::vector<papers::SeedCounts> counts;
   for (const papers::Repeated& reading : repeated.readings()) {
     if (repeated.paper.means.empty()) break;
-    counts.push_back(
-        papers::counts_by_seed(repeated.paper, solved_multiverse(arguments, reading.study().study.name, {}, seeds)));
+    counts.push_back(papers::counts_by_seed(repeated.paper,
+                                            solve_interpretations(arguments, reading.study().study.name, {}, seeds)));
     counts.back().reading = reading.reading();
   }
   return counts;
 }
 
-// What programs did by the clock: as solved on this machine, else as shipped. Cells are views of the text.
-CsvTable programs_of(const Paper& paper, const std::filesystem::path& folder, std::string& text) {
-  const std::filesystem::path anew = folder / "programs.csv";
-  if (std::error_code none; paper.rates.programs.empty() || !std::filesystem::exists(anew, none))
+// Returns the results of external programs that end by the clock: those solved on this machine, otherwise the shipped
+// ones. The table's cells are views of `text`, which gets the file.
+CsvTable programs_table(const Paper& paper, const std::filesystem::path& folder, std::string& text) {
+  const std::filesystem::path solved_here = folder / "programs.csv";
+  if (std::error_code none; paper.rates.programs.empty() || !std::filesystem::exists(solved_here, none))
     return published::table(paper.name, paper.rates.programs);
-  text = base::text_of_file(anew);
-  CsvTable programs = parse_csv(text, anew.string());
+  text = base::text_of_file(solved_here);
+  CsvTable programs = parse_csv(text, solved_here.string());
   if (programs.rows() != paper.rates.rows.size())
     throw std::invalid_argument(
         fmt::format("{} has {} rows; expected one for each arm of the paper, {}; remove it, or "
                     "solve them (solvers/programs/{}.sh)",
-                    anew.string(), programs.rows(), paper.rates.rows.size(), paper.name));
+                    solved_here.string(), programs.rows(), paper.rates.rows.size(), paper.name));
   return programs;
 }
 
-// What only its companions doubt.
-std::vector<std::string> warnings_of(const papers::Repeated& repeated, const show::ReportModel& own) {
-  std::vector<std::string> told;
-  for (const judge::Warning& warning : own.all_warnings()) told.push_back(warning_text(warning));
+// Returns the warnings that only the paper's further studies have.
+std::vector<std::string> further_warnings(const papers::Repeated& repeated, const show::ReportModel& own) {
+  std::vector<std::string> own_texts;
+  for (const judge::Warning& warning : own.all_warnings()) own_texts.push_back(warning_text(warning));
   show::NamesByPhrase warnings;
   for (const judge::JudgedStudy& companion : repeated.studies.subspan(1))
     for (const judge::Warning& warning : show::answer_of(companion).all_warnings())
-      if (std::ranges::count(told, warning_text(warning)) == 0)
+      if (std::ranges::count(own_texts, warning_text(warning)) == 0)
         warnings.add(warning_text(warning), companion.study.name);
   return warnings.formatted("{1}: {0}.");
 }
 
-// Figures and tables by the paper's numbers, for each of its readings.
+// Adds the figures and tables that the paper numbers, for each interpretation.
 void add_slim2023(show::Report& reported, const papers::Repeated& repeated, const figures::Look& look,
                   const FigureStyle& style) {
-  std::vector<figures::Figure> of_circle;
+  std::vector<figures::Figure> circle_figures;
   if (const judge::JudgedStudy* const dobot = repeated.part("dobot"))
-    of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.series, style));
-  reported.extra_sections = slim2023::sections(repeated, of_circle);
-  show::Blocks& by_other = reported.extra_sections.emplace_back();
+    circle_figures = slim2023::figures_of(*dobot, figures::look_of(dobot->study.series, style));
+  reported.extra_sections = slim2023::sections(repeated, circle_figures);
+  show::Blocks& further = reported.extra_sections.emplace_back();
   for (const papers::Repeated& reading : repeated.readings()) {
     if (reading.suffix().empty()) continue;
-    by_other.emplace_back(show::Heading{"Figures with " + reading.reading()});
+    further.emplace_back(show::Heading{"Figures with " + reading.reading()});
     for (figures::Figure& figure : slim2023::figures_of(reading.study(), look)) {
-      figure.name += reading.suffix(), figure.caption += fmt::format(" With {}.", reading.reading());
-      by_other.emplace_back(std::move(figure));
+      figure.name += reading.suffix();
+      figure.caption += fmt::format(" With {}.", reading.reading());
+      further.emplace_back(std::move(figure));
     }
   }
-  std::erase_if(reported.answer.metrics,  // the paper has none; a warning says who takes twice as many
-                [](const auto& each) { return each.samples.quantity_kind == judge::QuantityKind::evaluations; });
+  // The paper does not compare evaluations. If a solver takes twice as many as another, a warning says so.
+  std::erase_if(reported.answer.metrics, [](const judge::JudgedMetric& metric) {
+    return metric.samples.quantity_kind == judge::QuantityKind::evaluations;
+  });
 }
 
-// The first of the studies is the paper's own.
-void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, const Arguments& arguments,
+// Returns the figures of the paper's own study. Those of a table of arms are drawn elsewhere.
+std::vector<figures::Figure> own_figures(const judge::JudgedStudy& own, const Paper& paper, const figures::Look& look) {
+  if (paper.name == slim2023_name) return slim2023::figures_of(own, look);
+  return paper.rates.is_of_arms() ? std::vector<figures::Figure>() : figures::of_study(own, look);
+}
+
+// Writes the report of a paper. The first of the studies is the paper's own.
+void report(const std::vector<judge::JudgedStudy>& studies, const Paper& paper, const Arguments& arguments,
             const std::filesystem::path& folder, const papers::JudgedMultiverse& readings) {
-  const judge::StudyResults& own = all.front().study;
-  const FigureStyle style = apply_style(own.definition.figures, labels_of(own), arguments.report);
+  const judge::JudgedStudy& own = studies.front();
+  const FigureStyle style = apply_style(own.study.definition.figures, labels_of(own.study), arguments.report);
   std::string text;
-  const CsvTable programs = programs_of(paper, folder, text);
-  const papers::Repeated repeated{.paper = paper, .studies = all, .programs = &programs};
+  const CsvTable programs = programs_table(paper, folder, text);
+  const papers::Repeated repeated{.paper = paper, .studies = studies, .programs = &programs};
   const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.in_readings);
   const std::vector<papers::SeedCounts> counts = counts_of(arguments, repeated);
   show::Table means = papers::means_table(repeated, counts.empty() ? papers::SeedCounts() : counts.front());
   if (means.rows.empty()) means = papers::rates_table(repeated);
 
-  const bool is_slim2023 = paper.name == "slim2023", has_arms = paper.rates.is_of_arms();
-  const figures::Look look =
-      is_slim2023 ? figures::look_of(all.front().study.series, style) : figures::look_of(all.front(), style);
-  show::Report reported = show::make_report(all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look)
-                                                         : has_arms  ? std::vector<figures::Figure>()
-                                                                     : figures::of_study(all.front(), look));
+  const bool is_slim2023 = paper.name == slim2023_name, has_arms = paper.rates.is_of_arms();
+  const figures::Look look = is_slim2023 ? figures::look_of(own.study.series, style) : figures::look_of(own, style);
+  show::Report reported = show::make_report(own, own_figures(own, paper, look));
   reported.has_own_numbers = is_slim2023 || has_arms;
-  reported.extra_warnings = warnings_of(repeated, reported.answer);
+  reported.extra_warnings = further_warnings(repeated, reported.answer);
   if (is_slim2023) add_slim2023(reported, repeated, look, style);
   const std::vector<std::string> sentences =
       is_slim2023 ? slim2023::sentences(claims, counts) : papers::rates_sentences(repeated);
   reported.lead = papers::beginning(paper, sentences, means);
   if (has_arms)
     reported.lead.emplace_back(fmt::format("Of {} alone: the arm that moves, who is better, and the set-up.",
-                                           paper.rates.rows.at(all.front().study.definition.robot)));
+                                           paper.rates.rows.at(own.study.definition.robot)));
   if (const auto figure = papers::rates_figure(repeated))
     reported.extra_sections.push_back({show::Heading{"Ours and the printed"}, *figure});
   for (const auto& [table, words] : paper.rates.tables)
@@ -216,7 +229,7 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
   write_and_print(
       reported, folder, arguments.report, look.style,
       fmt::format("{}{}\n", papers::screen(sentences, means, claims),
-                  fingerprints_of(Store(store_path(folder), Store::Mode::read), all, studies_of(paper, {}))));
+                  fingerprints_text(Store(store_path(folder), Store::Mode::read), studies, studies_of(paper, {}))));
 }
 
 }  // namespace
@@ -243,7 +256,7 @@ void add_reproduce(const Command& command, Invocation& invocation) {
       "  ikbench reproduce --readings 0 --jobs 2  faster; but times of two solves at once are not comparable");
   command.callback([arguments, &invocation, command] {
     const Paper& paper = papers::paper_named(arguments->paper);
-    // A mistake in it shows before hours are spent.
+    // A mistake in the style shows before hours of solving.
     static_cast<void>(apply_style({}, labels_of(load_study(paper.studies.front())), arguments->report));
     if (command.was_given("--readings") && arguments->seeds > 0 && read_dimensions(paper.name).empty())
       throw std::invalid_argument(
@@ -257,7 +270,7 @@ void add_reproduce(const Command& command, Invocation& invocation) {
       const bool is_first = judged.empty();
       judged.push_back(judge::judge(is_first ? read_and_export(store, stored, folder) : read_checked(store, stored)));
     }
-    report(judged, paper, *arguments, folder, judged_readings(*arguments, paper));
+    report(judged, paper, *arguments, folder, judge_interpretations(*arguments, paper));
   });
 }
 

@@ -1,4 +1,4 @@
-// ikbench robot: shows an arm of the library, of an arm file or of a URDF file, and its tool's pose.
+// ikbench robot: shows an arm of the library, of an arm file or of a URDF file, and the pose of its tool frame.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -30,7 +30,7 @@ struct RobotArguments {
   bool shows_links = false, shows_urdf = false;
 };
 
-// The first 12 digits: conversions leave digits of their own beyond.
+// Returns the value in the unit with 12 digits. Further digits are errors of conversions.
 std::string number(double value, double unit = 1) {
   return std::abs(value) < 1e-14 ? "0" : fmt::format("{:.12g}", value / unit);
 }
@@ -43,6 +43,18 @@ std::string frame_text(const Frame& frame) {
 
 std::string frame_line(std::string_view name, const Frame& frame) {
   return frame == Frame() ? "" : fmt::format("{} {}\n", name, frame_text(frame));
+}
+
+const char* motion_text(Joint joint) {
+  switch (joint) {
+    case Joint::turns:
+      return "turns";
+    case Joint::slides:
+      return "slides";
+    case Joint::coupled:
+      return "coupled";
+  }
+  return "";
 }
 
 std::string joint_table(const Robot& arm) {
@@ -58,10 +70,7 @@ std::string joint_table(const Robot& arm) {
     const DhLink& link = arm.chain.links()[static_cast<std::size_t>(j)];
     const bool is_endless = !std::isfinite(arm.limits.lower[j]);
     const std::string unit = arm.chain.slides(j) ? "m" : "deg";
-    rows.push_back({std::to_string(j + 1),
-                    arm.chain.slides(j)            ? "slides"
-                    : link.joint == Joint::coupled ? "coupled"
-                                                   : "turns",
+    rows.push_back({std::to_string(j + 1), motion_text(link.joint),
                     is_endless ? "without" : number(arm.limits.lower[j], units[j]),
                     is_endless ? "end" : number(arm.limits.upper[j], units[j]), is_endless ? "" : unit, number(link.a),
                     number(link.alpha, degree), number(link.d), number(link.offset, degree)});
@@ -82,7 +91,8 @@ std::string reach_text(const Robot& arm) {
                      number(ball.centre.y()), number(ball.centre.z()));
 }
 
-// The configuration of --at.
+// Returns the configuration that --at names, in rad or m; the default one if `text` is empty. Throws
+// std::invalid_argument if the text is not one number per joint, or if an angle looks like radians.
 Configuration joints_at(const Robot& arm, const std::string& text) {
   if (text.empty()) return experiments::default_configuration(arm);
   std::vector<double> at;

@@ -34,7 +34,8 @@ struct StudyToRun {
   bool without_report = false, starts_programs = false;
 };
 
-// In the order of --set, which has the last word but for links and sweeps.
+// Returns the changes of the study in the order in which they apply: --set overrides what comes before it, and only
+// links and sweeps come later.
 Overrides overrides_of(const StudyToRun& arguments) {
   Overrides overrides;
   if (arguments.report.beside == judge::archive_name)
@@ -57,7 +58,8 @@ Overrides overrides_of(const StudyToRun& arguments) {
   return overrides;
 }
 
-// The study of a store, to be solved again into another.
+// Reads the study of a store, to be solved again into another store. Throws std::invalid_argument if the study would
+// start programs without --start-programs, or if its solvers are not those that made the solves.
 Study study_of_store(const StudyToRun& arguments) {
   const std::string& file = arguments.study;
   if (arguments.run.out.empty())
@@ -95,18 +97,20 @@ Study study_of(const StudyToRun& arguments) {
   if (!arguments.study_of_store.empty() && !is_store(name))
     throw std::invalid_argument(fmt::format("--study is about a store, but {} is none", name));
   Study study = is_store(name) ? study_of_store(arguments) : load_study(name, overrides_of(arguments));
-  // A built-in study, whose name is no file's, keeps its store for its own arm.
+  // A built-in study on another arm gets another name, so that its folder stays that of its own arm.
   if (!arguments.robot.empty() && study.name == name)
     study.name = (is_of_any_arm ? "" : study.name + '-') + robot_of(study).name;
   if (!arguments.only.empty()) select_solvers(study, arguments.only);
-  if (arguments.report.beside == judge::archive_name) {  // its study, with these solvers and the unit of its times
+  if (arguments.report.beside == judge::archive_name) {
+    // The archive's study, with these solvers and the solver whose times are the unit of imported times.
     study.name += fmt::format("-{}", judge::archive_name);
-    if (std::ranges::none_of(study.solvers, [](const SolverEntry& its) {
-          return its.solver == judge::time_reference_solver && its.options.empty();
-        }))
+    const auto is_time_reference = [](const SolverEntry& entry) {
+      return entry.solver == judge::time_reference_solver && entry.options.empty();
+    };
+    if (std::ranges::none_of(study.solvers, is_time_reference))
       study.solvers.push_back({.label = "ikbench's LM", .solver = std::string(judge::time_reference_solver)});
   }
-  // A mistake in it shows before hours are spent.
+  // A mistake in style or plan shows before hours of solving.
   static_cast<void>(apply_style({study.figures}, labels_of(study), arguments.report));
   const std::vector<judge::Metric> metrics = judge::metrics_of(study);
   if (!study.plan.metric.empty()) static_cast<void>(judge::metric_named(study.plan.metric, metrics));
@@ -117,7 +121,7 @@ void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
   const Study study = study_of(arguments);
   const bool is_part = !arguments.shard.empty(), has_report = !arguments.without_report && !is_part;
   const Shard shard = is_part ? parse_shard(arguments.shard) : Shard{};
-  if (const std::int64_t parts = work_unit_count(study); shard.count > parts)  // else some would be empty
+  if (const std::int64_t parts = work_unit_count(study); shard.count > parts)  // some shards would be empty
     throw std::invalid_argument(fmt::format("--shard {}: {} has only {} to share out, so give at most that many shards",
                                             shard.text(), study.name,
                                             base::counted(parts, study.is_chained() ? "runs" : "targets")));
@@ -132,9 +136,9 @@ void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
   if (!has_report && !arguments.report.is_json) fmt::print("{}\n", wrapped(solved));
   if (is_part || (!has_report && !arguments.report.is_json)) return;
   const Store store(store_path(folder), Store::Mode::read);
-  const bool are_silent = has_report ? write_and_announce(store, stored, folder, arguments.report, beside)
+  const bool has_silent = has_report ? write_and_announce(store, stored, folder, arguments.report, beside)
                                      : show_answer(store, stored, beside);
-  if (are_silent) invocation.exit_code = 3;
+  if (has_silent) invocation.exit_code = 3;
 }
 
 }  // namespace

@@ -17,25 +17,25 @@ namespace ikbench::cli {
 
 namespace {
 
-// Of its arm, targets and solvers.
-void tell_of(const Study& study) {
+// Prints notes and warnings about the study's arm, targets and solvers.
+void print_notes(const Study& study) {
   if (const auto& arm = study.robot_of_file; arm != nullptr) {
     if (!arm->tip_link.empty()) print_message(fmt::format("arm: {} ({})", arm->summary, robots::size_of(*arm)));
     for (const std::string& note : arm->notes) print_message(note);
     for (const std::string& warning : robots::doubts_of(*arm)) warn(warning);
   }
   for (const std::string& note : study.notes) print_message(note);
-  if (const std::vector<UnreachableTarget> beyond = unreachable_targets(study); !beyond.empty()) {
-    const auto& [point, distance, reach] = beyond.front();
+  if (const std::vector<UnreachableTarget> targets = unreachable_targets(study); !targets.empty()) {
+    const auto& [point, distance, reach] = targets.front();
     warn(fmt::format(
         "{} of a run are out of reach; point {} is {:.2f} cm from the shoulder, and the arm reaches {:.2f} cm",
-        counted(std::ssize(beyond), "points"), point, distance * 100, reach * 100));
+        counted(std::ssize(targets), "points"), point, distance * 100, reach * 100));
   }
-  std::map<std::string, std::vector<std::string>> labels_by_why;
-  for (const SkippedSolver& entry : study.skipped) labels_by_why[entry.reason].push_back(entry.label);
+  std::map<std::string, std::vector<std::string>> labels_by_reason;
+  for (const SkippedSolver& entry : study.skipped) labels_by_reason[entry.reason].push_back(entry.label);
   std::vector<std::string> left_out;
-  for (const auto& [why, labels] : labels_by_why)
-    left_out.push_back(fmt::format("{} ({})", fmt::join(labels, ", "), why));
+  for (const auto& [reason, labels] : labels_by_reason)
+    left_out.push_back(fmt::format("{} ({})", fmt::join(labels, ", "), reason));
   if (!left_out.empty()) warn(fmt::format("left out: {}", fmt::join(left_out, "; ")));
 }
 
@@ -51,13 +51,14 @@ std::filesystem::path store_path(const std::filesystem::path& folder) { return f
 
 std::string run_study(const Study& study, const StoredStudy& stored, const std::filesystem::path& folder,
                       RunRequest request, Store::Mode mode) {
-  tell_of(study);
+  print_notes(study);
   if (is_debug_build()) {
     warn("this is a debug build; its times are marked and not comparable");
   } else if (request.jobs > static_cast<int>(std::thread::hardware_concurrency())) {
     warn(fmt::format("{} jobs share {}", request.jobs, counted(std::thread::hardware_concurrency(), "processors")));
   }
-  // A transaction for each solve would cost more than many a solve; in a shared store each waits for the disk.
+  // A transaction per solve would cost more time than a fast solve. In a shared store each transaction waits for the
+  // disk.
   request.flush_interval = std::chrono::milliseconds(mode == Store::Mode::write_shared ? 1000 : 20);
   Store store(store_path(folder), mode);
   for (const StoredStudy& earlier : store.studies(study.name)) {
@@ -86,13 +87,14 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
         "another program has {0} open, so part of the data is still in {1}; copy both files together, or close "
         "that program and run this command again to merge them",
         files[0].string(), files[1].string()));
-  const auto may_meddle = [](const SolverEntry& entry) { return entry.program != nullptr; };
-  if (study.checker || std::ranges::any_of(study.solvers, may_meddle)) {  // a program can write where its user can
-    const std::int64_t there = Store(store_path(folder), Store::Mode::read).solve_count(stored);
-    if (there < progress.done)
+  // A program can write wherever its user can, so that a study with programs is counted again.
+  const auto is_external = [](const SolverEntry& entry) { return entry.program != nullptr; };
+  if (study.checker || std::ranges::any_of(study.solvers, is_external)) {
+    const std::int64_t stored_solves = Store(store_path(folder), Store::Mode::read).solve_count(stored);
+    if (stored_solves < progress.done)
       throw std::runtime_error(fmt::format(
           "{} has {} of the {} solves: one of the programs or somebody else changed it; run the same command again",
-          store_path(folder).string(), there, progress.done));
+          store_path(folder).string(), stored_solves, progress.done));
   }
   if (is_cancelled) {
     print_message(fmt::format("Stopped: {} of {} solves are kept in {}; run the same command again to continue.",

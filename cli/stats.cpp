@@ -1,4 +1,4 @@
-// ikbench stats: which group of a user's CSV is better, or of printed means and standard deviations.
+// ikbench stats: compares the groups of a user's CSV file, or of printed means and standard deviations.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -33,6 +33,7 @@ struct StatsArguments {
   ReportArguments report;
 };
 
+// Returns the name of a file in messages.
 std::string name_of_source(const std::string& file) { return file == "-" ? "standard input" : file; }
 
 std::string contents_of(const std::string& file) {
@@ -45,8 +46,8 @@ std::string contents_of(const std::string& file) {
   return base::csv_text(stream, file);
 }
 
-// "smaller is better (quality: larger)"
-std::string direction_of(const std::vector<judge::JudgedMetric>& metrics) {
+// Returns "smaller is better (quality: larger)".
+std::string direction_text(const std::vector<judge::JudgedMetric>& metrics) {
   std::vector<std::string> larger;
   for (const judge::JudgedMetric& metric : metrics)
     if (metric.samples.better == judge::Better::larger) larger.push_back(metric.samples.quantity);
@@ -54,8 +55,8 @@ std::string direction_of(const std::vector<judge::JudgedMetric>& metrics) {
   return "smaller is better" + (larger.empty() ? "" : fmt::format(" ({}: larger)", fmt::join(larger, ", ")));
 }
 
-// With figures, and the look that they have, if there is a folder for them.
-show::Report judged(const StatsArguments& arguments, FigureStyle& style) {
+// Reads and judges the file. If there is a folder for a report, draws figures too, and sets `style` to their look.
+show::Report judge_file(const StatsArguments& arguments, FigureStyle& style) {
   const std::string text = contents_of(arguments.file), source = name_of_source(arguments.file);
   refuse_no_table(text, arguments.file);
   csv::Quantities quantities = csv::read(text, source, arguments.csv);
@@ -76,7 +77,7 @@ show::Report judged(const StatsArguments& arguments, FigureStyle& style) {
     reported.figures = figures::of_file(metrics, look);
     style = look.style;
   }
-  const std::string direction = direction_of(metrics);
+  const std::string direction = direction_text(metrics);
   reported.answer = show::answer_of(std::move(metrics));
   reported.answer.direction = direction;
   if (reported.answer.primary().samples.is_paired) reported.answer.noun = "blocks";
@@ -87,13 +88,13 @@ show::Report judged(const StatsArguments& arguments, FigureStyle& style) {
 
 void stats(const StatsArguments& arguments) {
   for (const char* file : {"store.sqlite", "solves.csv"}) {
-    std::error_code unknown;  // of a place that cannot be looked at, writing says why
+    std::error_code unknown;  // if the place cannot be looked at, writing says why
     if (!arguments.out.empty() && std::filesystem::exists(std::filesystem::path(arguments.out) / file, unknown))
       throw std::invalid_argument(
           fmt::format("--out {}: the {} of a study is there; choose another folder", arguments.out, file));
   }
   FigureStyle style;
-  show::Report reported = judged(arguments, style);
+  show::Report reported = judge_file(arguments, style);
   if (!arguments.out.empty()) return write_and_print(std::move(reported), arguments.out, arguments.report, style);
   if (arguments.report.is_json) return show_json(show::to_json(reported.answer));
   if (reported.answer.primary().comparisons.size() > show::max_pairs)

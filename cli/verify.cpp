@@ -1,4 +1,4 @@
-// ikbench verify: whether a store has what its solvers did.
+// ikbench verify: checks whether a store has what its solvers did.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -22,29 +22,29 @@ struct VerifyArguments {
   std::int64_t solves = 100;
 };
 
-// Throws unless a fact that an archive was given still holds, and names it by `what`. Returns whether there is such a
-// fact.
-bool is_as_archived(const Store& store, const std::string& fact, std::string_view what, const std::string& now) {
-  bool is_there = false;
+// Compares a fact that was stored when the store was archived with what holds now. Returns false if the store has no
+// such fact. Throws std::invalid_argument, with `name` in the message, if the fact has changed.
+bool is_as_archived(const Store& store, const std::string& fact, std::string_view name, const std::string& now) {
+  bool is_archived = false;
   for (const Session& session : store.sessions()) {
-    const auto its = session.environment.find(fact);
-    if (its == session.environment.end()) continue;
-    is_there = true;
-    if (its->second != now)
+    const auto archived = session.environment.find(fact);
+    if (archived == session.environment.end()) continue;
+    is_archived = true;
+    if (archived->second != now)
       throw std::invalid_argument(fmt::format(
-          "{} was {} when it was archived, and now it is {}; if more was solved since, merge it into a new store", what,
-          its->second, now));
+          "{} was {} when it was archived, and now it is {}; if more was solved since, merge it into a new store", name,
+          archived->second, now));
   }
-  return is_there;
+  return is_archived;
 }
 
-// Says what a store's seal shows; empty of a store that is no archive. `line` is the fingerprint_line of the study.
-// Throws where rows were changed, or the seal is not the one that was given.
-std::string said_of_seal(const Store& store, const std::string& given, const StoredStudy& study,
-                         const std::string& line) {
+// Returns a sentence on the store's seal; empty if the store is no archive. `line` is the fingerprint_line of the
+// study. Throws std::invalid_argument if rows were changed, or if the seal is not the given one.
+std::string seal_text(const Store& store, const std::string& given, const StoredStudy& study, const std::string& line) {
   const bool has_seal = std::ranges::any_of(
       store.sessions(), [](const Session& session) { return session.environment.contains(std::string(seal_fact)); });
-  const std::string seal = has_seal || !given.empty() ? seal_of(store) : "";  // which reads all rows
+  const std::string seal =
+      has_seal || !given.empty() ? seal_of(store) : "";  // computed only if needed, because it reads all rows
   const bool is_sealed = is_as_archived(store, std::string(seal_fact), "its seal", seal);
   const bool is_of_solves =
       is_as_archived(store, fmt::format("{}{}", fingerprint_fact, study.name), "what it holds", line);
@@ -68,7 +68,7 @@ std::string said_of_seal(const Store& store, const std::string& given, const Sto
   return "";
 }
 
-// Throws unless it may be the seal of an archive.
+// Throws std::invalid_argument if the text cannot be the seal of an archive.
 void check_seal(const std::string& seal) {
   constexpr std::size_t digits = 64;
   if (!seal.empty() && (seal.size() != digits || seal.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos))
@@ -92,8 +92,8 @@ void add_verify(const Command& command, Invocation& invocation) {
     const Store store(arguments->store, Store::Mode::read);
     const StoredStudy study = store.study(arguments->study);
     const SolveVisitor redraw = target_replay_check(study);
-    const auto all = read_checked(store, study, redraw).solves.size();
-    const std::string line = fingerprint_line(store, study), seal = said_of_seal(store, arguments->seal, study, line);
+    const auto checked = read_checked(store, study, redraw).solves.size();
+    const std::string line = fingerprint_line(store, study), seal = seal_text(store, arguments->seal, study, line);
     std::optional<ProgressBar> bar("solving again");
     const RerunReport again =
         rerun_sample(store, study, arguments->solves, [&](const Progress& progress) { bar->show(progress); });
@@ -102,21 +102,22 @@ void add_verify(const Command& command, Invocation& invocation) {
         redraw ? "whether times, traces and extras were true when they were stored"
                : "whether times, targets, starts, traces and extras were true when they were "
                  "stored"};
-    const auto leave_out = [&](const std::vector<std::string>& labels, const char* why) {
-      if (!labels.empty()) unchecked.push_back(fmt::format("answers and counts of {}{}", fmt::join(labels, ", "), why));
+    const auto leave_out = [&](const std::vector<std::string>& labels, const char* reason) {
+      if (labels.empty()) return;
+      unchecked.push_back(fmt::format("answers and counts of {}{}", fmt::join(labels, ", "), reason));
     };
     if (!study.definition.check.process.empty()) unchecked.emplace_back("what the study's check said");
     leave_out(again.external, " (programs and libraries)");
     leave_out(again.changed_source, " (the source is another in this version)");
     if (study.definition.stop.seconds > 0) leave_out({"all solves"}, ", which a clock may end");
-    const std::string made =
+    const std::string repeated =
         again.solves == 0 ? "None was made again."
                           : fmt::format("{} of {}, drawn at random, were made again and have the same bits and counts.",
                                         again.solves, again.eligible);
     const std::string text =
         fmt::format("{}: errors, joint motion and status of all {} follow from their answers{}. {}\n{}Not checked: {}.",
-                    study.name, base::counted(static_cast<std::int64_t>(all), "solves"),
-                    redraw ? ", targets and starts from the seed" : "", made, seal, fmt::join(unchecked, "; "));
+                    study.name, base::counted(static_cast<std::int64_t>(checked), "solves"),
+                    redraw ? ", targets and starts from the seed" : "", repeated, seal, fmt::join(unchecked, "; "));
     fmt::print("{}\n{}\n", printable(wrapped(text)), printable(line));
     const std::string lack = missing_solves_text(store, study);
     if (lack.empty()) return;

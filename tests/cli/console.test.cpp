@@ -1,4 +1,4 @@
-// The text of a progress and its times; answers to signals.
+// Tests of the terminal: the text of a progress bar and its times, wrapping, folders, and answers to signals.
 #include "cli/console.hpp"
 
 #include <signal.h>
