@@ -231,7 +231,7 @@ void ask_about(const Gaps& gaps, const Sheet& sheet, const Items& items, const R
 // The value of a group in a unit in which rows are missing, each as no answer.
 double worst_value(const MetricSamples& samples, double sum, double rows, double missing) {
   const bool is_larger_better = samples.better == Better::larger;
-  if (samples.scale == EffectScale::share) return (sum + (is_larger_better ? 0 : missing)) / (rows + missing);
+  if (is_proportion(samples)) return (sum + (is_larger_better ? 0 : missing)) / (rows + missing);
   return is_larger_better ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
 }
 
@@ -304,7 +304,7 @@ void add_doubts(const Items& items, const Gaps& gaps, const Request& request, Me
 
 // Where no number of a group differs from block to block, the blocks may be one measurement that was copied.
 void warn_of_copies(MetricSamples& samples) {
-  if (samples.scale == EffectScale::share) return;
+  if (is_proportion(samples)) return;
   Warning copies{.kind = WarningKind::may_be_one_measurement};
   for (const Group& group : samples.groups)
     if (is_constant(group)) copies.solvers.push_back(group.name);
@@ -314,9 +314,10 @@ void warn_of_copies(MetricSamples& samples) {
 // The values of each group.
 void fill(const Layout& layout, const Items& items, const Gaps& gaps, const Request& request, MetricSamples& samples) {
   samples.is_paired = layout.block.has_value();
-  samples.may_hold_copies = !layout.block && request.run.empty() && samples.scale != EffectScale::share;
-  if (samples.scale == EffectScale::share)
-    samples.trials_per_observation = static_cast<int>(std::ranges::max(items.means, {}, &Mean::rows).rows);
+  samples.may_hold_copies = !layout.block && request.run.empty() && !is_proportion(samples);
+  if (is_proportion(samples))
+    samples.kind =
+        judge::Proportions{.trials_per_value = static_cast<int>(std::ranges::max(items.means, {}, &Mean::rows).rows)};
   for (Index group = 0; group < items.groups.size(); ++group) {
     const std::span means(std::ranges::lower_bound(items.means, group, {}, &Mean::group),
                           std::ranges::upper_bound(items.means, group, {}, &Mean::group));
@@ -333,10 +334,10 @@ void settle(const Items& items, MetricSamples& samples, std::vector<std::string>
   const auto shares = count([](double value) { return value == 0 || value == 1; });
   const auto low = count([](double value) { return value <= 0; });
   if (shares > 0 && shares + count([](double value) { return std::isnan(value); }) == std::ssize(items.values)) {
-    samples.scale = EffectScale::share;
+    samples.kind = judge::Proportions{};
     notes.push_back(fmt::format("All values of {} are 0 or 1: shares are compared.", samples.quantity));
   } else if (low > 0) {
-    samples.scale = EffectScale::difference;
+    samples.kind = judge::Differences{};
     notes.push_back(fmt::format("{} of {} values of {} are 0 or below: differences are compared, not ratios.", low,
                                 items.values.size(), samples.quantity));
   }
@@ -454,7 +455,7 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
     const auto place = static_cast<std::size_t>(std::ranges::find(titles, title) - titles.begin());
     if (place == titles.size()) titles.push_back(title), quantities.observed.push_back(quantity_of(title));
     MetricSamples& samples = quantities.observed[place];
-    samples.scale = EffectScale::difference;
+    samples.kind = judge::Differences{};
     std::vector<Group>& groups = samples.groups;
     const std::string name(sheet.cell(row, label));
     if (name.empty() || std::ranges::count(groups, name, &Group::name) > 0)
@@ -497,7 +498,7 @@ AnalysisPlan with_margin(AnalysisPlan plan, const std::string& margin, MetricSam
       largest = std::max(largest, std::abs(value));
     }
   }
-  const bool has_no_share = samples.scale == EffectScale::difference && least < 0;
+  const bool has_no_share = effect_scale(samples) == EffectScale::difference && least < 0;
   if (margin.empty() && has_no_share) plan.margin = 0;
   if (margin.empty()) return plan;
   const bool is_relative = margin.ends_with('%');
@@ -507,9 +508,9 @@ AnalysisPlan with_margin(AnalysisPlan plan, const std::string& margin, MetricSam
       : is_relative && *number > 99                         ? "so all would be the same; expected at most 99%"
       : is_relative && has_no_share
           ? "a share of values that may be negative means nothing; give a margin in their unit"
-      : !is_relative && samples.scale == EffectScale::share ? "shares differ by points; expected 5%"
-      : !is_relative && *number > largest ? "no value is as large, so all would be the same; a share is 5%"
-                                          : nullptr;
+      : !is_relative && is_proportion(samples) ? "shares differ by points; expected 5%"
+      : !is_relative && *number > largest      ? "no value is as large, so all would be the same; a share is 5%"
+                                               : nullptr;
   if (wrong) throw std::invalid_argument(fmt::format("--margin {}: {}", in_quotes(margin), wrong));
   plan.margin = is_relative ? *number / 100 : 0;
   samples.absolute_margin = is_relative ? 0 : *number;

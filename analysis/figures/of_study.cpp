@@ -43,7 +43,7 @@ std::string caption_of_boxes(std::string_view quantity, std::string_view observa
 // None where solvers solved different targets, and so their values do not compare.
 std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view column, const Look& look) {
   const JudgedMetric* const values = find_metric(judged, column);
-  if (values == nullptr || values->samples.is_conditional_on_success) return std::nullopt;
+  if (values == nullptr || is_conditional_on_success(values->samples)) return std::nullopt;
   const Metric& metric = metric_named(column);
   const About about =
       about_of(judged.study, metric, caption_of_boxes(metric.name, observation_of(judged.study, metric)));
@@ -55,7 +55,7 @@ std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view colum
 // nothing is, with that.
 std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_view column) {
   const auto metric = std::ranges::find_if(judged.metrics, [&](const JudgedMetric& each) {
-    return each.samples.quantity_kind == metric_named(column).quantity_kind && each.samples.scale != EffectScale::share;
+    return each.samples.quantity_kind == metric_named(column).quantity_kind && !is_proportion(each.samples);
   });
   if (metric == judged.metrics.end()) return judged.study.labels;
   const auto is_doubted = [&](const Group& group) {  // of several reasons a group has the first
@@ -214,7 +214,7 @@ constexpr KindOfFigure all_kinds[]{
 std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
                                   const std::function<void(Dot&)>& add_printed) {
   const JudgedMetric *const errors = find_metric(judged, error), *const motions = find_metric(judged, motion);
-  if (errors == nullptr || motions == nullptr || motions->samples.is_conditional_on_success) return std::nullopt;
+  if (errors == nullptr || motions == nullptr || is_conditional_on_success(motions->samples)) return std::nullopt;
   const std::string average = motions->plan.test == results::AnalysisPlan::Test::means ? "mean" : "median";
   const auto value = [](const JudgedMetric& metric, const std::string& solver) {
     return average_of(metric, index_of(metric.samples, solver));
@@ -293,16 +293,16 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
            "Pairs: {} of {}, with intervals for all pairs at once; at the right the verdict on the first.{}", what,
            quantity, only),
        .quantity = fmt::format("{} of {}", what, quantity),
-       .unit = are_ratios                            ? ""
-               : samples.scale == EffectScale::share ? "points"
-                                                     : unit.name},
+       .unit = are_ratios               ? ""
+               : is_proportion(samples) ? "points"
+                                        : unit.name},
       rows, are_ratios);
 }
 
 // The same metric on the blocks that all groups have, which mean ranks are of, with the verdicts of all blocks.
 JudgedMetric on_common_blocks(JudgedMetric metric) {
   MetricSamples& samples = metric.samples;
-  if (!samples.is_paired || samples.is_conditional_on_success) return metric;
+  if (!samples.is_paired || is_conditional_on_success(samples)) return metric;
   std::vector<Group*> groups;
   std::set<std::vector<int>> blocks;
   for (Group& group : samples.groups) {
@@ -327,7 +327,7 @@ JudgedMetric on_common_blocks(JudgedMetric metric) {
 std::optional<Figure> ranks_of(const JudgedMetric& judged, const std::vector<std::string>& shown, const Look& look) {
   const JudgedMetric metric = on_common_blocks(judged);
   const MetricSamples& samples = metric.samples;
-  const bool are_shares = samples.scale == EffectScale::share;
+  const bool are_shares = is_proportion(samples);
   if (metric.plan.test == results::AnalysisPlan::Test::means && !are_shares) return std::nullopt;
   struct Pair {
     const Comparison* finding;
@@ -414,13 +414,13 @@ std::vector<Figure> of_file(const std::vector<JudgedMetric>& metrics, const Look
     for (const std::size_t i : display_order(first, metrics)) shown.push_back(first.samples.groups[i].name);
   for (const JudgedMetric& metric : metrics) {
     const MetricSamples& samples = metric.samples;
-    if (samples.scale == EffectScale::share && samples.trials_per_observation == 1) continue;
+    if (is_proportion(samples) && trials_per_value(samples) == 1) continue;
     const std::string number = all.empty() ? "" : fmt::format("-{}", all.size() + 1);
     const About about{.name = "boxes" + number,
                       .caption = caption_of_boxes(samples.quantity, "a value"),
                       .quantity = samples.quantity,
                       .unit = samples.unit,
-                      .is_share = samples.scale == EffectScale::share};
+                      .is_share = is_proportion(samples)};
     if (auto figure = boxes(about, box_rows(samples, {samples.unit}, shown, look))) all.push_back(std::move(*figure));
   }
   for (auto figure : {ranks_of(first, shown, look), differences_of(first, {first.samples.unit}, shown, look)}) {

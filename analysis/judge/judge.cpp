@@ -16,7 +16,7 @@ namespace {
 // Where few values of a mean leave a finding open, of all whose means are such.
 void add_doubt(JudgedMetric& judged) {
   Warning warning{.kind = WarningKind::dominated_by_few,
-                  .detail = (judged.samples.is_log_scale ? "" : "mean ") + judged.samples.quantity};
+                  .detail = (is_log_scale(judged.samples) ? "" : "mean ") + judged.samples.quantity};
   const auto is_left = [](const Comparison& comparison) {
     return is_not_tested(comparison, NotTestedReason::dominated);
   };
@@ -30,7 +30,7 @@ void add_doubt(JudgedMetric& judged) {
 // one's median: at all). Where each has its own targets, these say nothing of two.
 void add_doubt_of_ranks(JudgedMetric& judged) {
   const MetricSamples& samples = judged.samples;
-  if (samples.is_conditional_on_success || samples.min_blocks > 0 || judged.plan.test == AnalysisPlan::Test::means)
+  if (is_conditional_on_success(samples) || samples.min_blocks > 0 || judged.plan.test == AnalysisPlan::Test::means)
     return;
   const std::set<std::string> losers = beaten_solvers(judged.comparisons);
   for (const Comparison& comparison : judged.comparisons) {
@@ -77,7 +77,7 @@ bool is_solved_by_another_name(const Metric& metric, const results::StudyDefinit
 
 // The word by which `then` of a plan names a metric; empty if none does.
 std::string_view then_word_of(const MetricSamples& samples) {
-  if (samples.scale == EffectScale::share) return "";
+  if (is_proportion(samples)) return "";
   switch (samples.quantity_kind) {
     case QuantityKind::time:
       return "time";
@@ -131,8 +131,7 @@ std::vector<double> average_evaluations(const std::vector<Group>& groups, const 
 // Some observation has a value, and if this is no share one is not 0.
 bool has_meaning(const MetricSamples& samples) {
   return std::ranges::any_of(samples.groups, [&](const Group& group) {
-    return std::ranges::any_of(values_of(group),
-                               [&](double value) { return value != 0 || samples.scale == EffectScale::share; });
+    return std::ranges::any_of(values_of(group), [&](double value) { return value != 0 || is_proportion(samples); });
   });
 }
 
@@ -149,9 +148,9 @@ JudgedMetric judge(MetricSamples observations, const AnalysisPlan& plan, std::ve
   set_group_indices(judged.comparisons, samples);
   for (const Group& group : samples.groups) {
     const Descriptives its = describe(group);
-    judged.descriptives.push_back(samples.is_log_scale ? Descriptives{.n = its.n, .mean = std::exp(its.mean)}
-                                  : group.pooled_n > 0 ? Descriptives{.n = group.pooled_n, .mean = group.pooled_share}
-                                                       : its);
+    judged.descriptives.push_back(is_log_scale(samples) ? Descriptives{.n = its.n, .mean = std::exp(its.mean)}
+                                  : group.pooled_n > 0  ? Descriptives{.n = group.pooled_n, .mean = group.pooled_share}
+                                                        : its);
   }
   add_doubt(judged);
   add_doubt_of_ranks(judged);
@@ -160,8 +159,8 @@ JudgedMetric judge(MetricSamples observations, const AnalysisPlan& plan, std::ve
 
 double average_of(const JudgedMetric& judged, std::size_t group) {
   const Descriptives& its = judged.descriptives[group];
-  const bool is_mean = judged.samples.scale == EffectScale::share || judged.plan.test == AnalysisPlan::Test::means ||
-                       std::isnan(its.median);
+  const bool is_mean =
+      is_proportion(judged.samples) || judged.plan.test == AnalysisPlan::Test::means || std::isnan(its.median);
   if (missing_in(judged.samples.groups[group]) > 0) return unknown;
   return is_mean ? its.mean : its.median;
 }

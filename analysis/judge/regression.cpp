@@ -76,11 +76,8 @@ StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std:
 
 // Of solves, whatever they are of. Where the machine decides who is too late, that is not counted.
 MetricSamples observed_answers(const StudyResults& study, bool machine_decides) {
-  MetricSamples samples{.metric = "answers",
-                        .quantity = "answered",
-                        .better = Better::larger,
-                        .scale = EffectScale::share,
-                        .is_paired = true};
+  MetricSamples samples{
+      .metric = "answers", .quantity = "answered", .better = Better::larger, .kind = Proportions{}, .is_paired = true};
   samples.quantity_kind = QuantityKind::answered;
   for (const std::string& solver : study.labels) {
     Sample answers;
@@ -249,8 +246,8 @@ void add_to_lists(RegressionCheck& gate, const JudgedMetric& judged) {
   }
   if (std::vector<std::string>* const list = list_of(gate, judged)) list->push_back(quantity);
   gate.are_times_missing |= is_time(judged) && verdict == Verdict::not_tested;
-  const bool is_share_of_nothing = judged.samples.scale == EffectScale::share &&
-                                   judged.descriptives.front().mean == 0 && judged.descriptives.back().mean == 0;
+  const bool is_share_of_nothing =
+      is_proportion(judged.samples) && judged.descriptives.front().mean == 0 && judged.descriptives.back().mean == 0;
   gate.is_compared |= !is_share_of_nothing && verdict != Verdict::not_tested;
 }
 

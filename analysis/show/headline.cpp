@@ -175,7 +175,7 @@ class First {
     const int n = described(name).n;
     std::string text = with_unit((is_bound ? "at most " : "") + number_within(value, percent_boundaries(judged_)),
                                  is_first ? samples.unit : "");
-    if (is_success_rate(judged_) && samples.trials_per_observation == 1) {
+    if (is_success_rate(judged_) && trials_per_value(samples) == 1) {
       text = fmt::format("{:.0f}", value * n / 100);
       if (is_first)
         text += fmt::format(" of {}{}", base::counted(n, answer_.noun), within());
@@ -188,9 +188,9 @@ class First {
   std::string within() const { return is_solved(judged_) ? answer_.within : ""; }
   std::string quantity() const {
     const bool is_mean = judged_.plan.test == results::AnalysisPlan::Test::means;
-    const char* const of = is_success_rate(judged_) || judged_.samples.is_log_scale ? ""
-                           : is_mean                                                ? "mean "
-                                                                                    : "median ";
+    const char* const of = is_success_rate(judged_) || is_log_scale(judged_.samples) ? ""
+                           : is_mean                                                 ? "mean "
+                                                                                     : "median ";
     return of + judged_.samples.quantity;
   }
   // "DLS (solved 100 of 100 targets)", and after it "PSO (88)".
@@ -262,7 +262,7 @@ class First {
     const Names firsts = who_of(fact.solvers, [&](auto& name) { return described(name).mean == most; });
     const std::string its = number(firsts.front());
     std::string text = fmt::format("{} {}", names_of(firsts),
-                                   most == 100 && n > 1 && judged_.samples.trials_per_observation == 1
+                                   most == 100 && n > 1 && trials_per_value(judged_.samples) == 1
                                        ? fmt::format("solved all {}{}", base::counted(n, answer_.noun), within())
                                        : its);
     Names others = who_of(fact.solvers, [&](auto& name) { return described(name).mean != most; });

@@ -24,16 +24,17 @@ void scale(double factor, auto&... values) { ((values *= factor), ...); }
 JudgedMetric in_unit(JudgedMetric judged, double factor, std::string unit) {
   MetricSamples& samples = judged.samples;
   samples.unit = std::move(unit);
-  scale(factor, samples.floor, samples.resolution, samples.absolute_margin);
+  scale(factor, samples.resolution, samples.absolute_margin);
+  if (auto* const ratios = std::get_if<Ratios>(&samples.kind)) scale(factor, ratios->floor);
   const auto scale_all = [=](std::vector<double>& values) {
     for (double& value : values) scale(factor, value);
   };
   for (Group& group : samples.groups) {
     scale(factor, group.tolerance);
-    if (auto* const measured = std::get_if<Sample>(&group.sample); measured && !samples.is_log_scale)
+    if (auto* const measured = std::get_if<Sample>(&group.sample); measured && !is_log_scale(samples))
       scale_all(measured->values);
     if (auto* const printed = std::get_if<SummaryStatistics>(&group.sample)) scale(factor, printed->mean, printed->sd);
-    if (auto* const its = std::get_if<ExcludedSample>(&group.sample); its && !samples.is_log_scale)
+    if (auto* const its = std::get_if<ExcludedSample>(&group.sample); its && !is_log_scale(samples))
       scale_all(its->values);
   }
   for (Descriptives& its : judged.descriptives)
@@ -238,9 +239,8 @@ BoundedValue displayed(const JudgedMetric& judged, std::size_t group, double val
   const auto is_ratio = [](const Comparison& comparison) {
     return comparison.scale == EffectScale::ratio && comparison.estimate.has_value();
   };
-  if (std::isfinite(value) && value < samples.floor && !samples.is_log_scale &&
-      std::ranges::any_of(judged.comparisons, is_ratio))
-    return {samples.floor, true};
+  if (std::isfinite(value) && value < floor_of(samples) && std::ranges::any_of(judged.comparisons, is_ratio))
+    return {floor_of(samples), true};
   return {value, at_most > 0 && value == at_most};
 }
 
@@ -248,6 +248,6 @@ std::vector<double> percent_boundaries(const JudgedMetric& judged) {
   return is_success_rate(judged) ? std::vector<double>{0, 100} : std::vector<double>();
 }
 
-bool is_success_rate(const JudgedMetric& judged) { return judged.samples.scale == EffectScale::share; }
+bool is_success_rate(const JudgedMetric& judged) { return is_proportion(judged.samples); }
 
 }  // namespace ikbench::show

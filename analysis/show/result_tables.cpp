@@ -51,7 +51,7 @@ Cell value_cell(const Group& group, double value) {
 
 // Wilson's, of a share of observations that are solved or not.
 std::optional<Interval> interval_of(const JudgedMetric& judged, const Descriptives& its) {
-  if (!is_success_rate(judged) || judged.samples.trials_per_observation > 1 || its.n == 0) return {};
+  if (!is_success_rate(judged) || trials_per_value(judged.samples) > 1 || its.n == 0) return {};
   const Interval share = wilson_interval(its.mean / 100, its.n, judged.plan.significance);
   return Interval{100 * share.low, 100 * share.high};
 }
@@ -62,7 +62,7 @@ bool are_ratios(const JudgedMetric& judged, const std::string& reference) {
     return (comparison.first == reference || comparison.second == reference) &&
            !std::holds_alternative<NotTested>(comparison.result);
   };
-  return judged.samples.is_conditional_on_success && std::ranges::any_of(judged.comparisons, is_known);
+  return is_conditional_on_success(judged.samples) && std::ranges::any_of(judged.comparisons, is_known);
 }
 
 bool are_means(const ReportModel& answer) { return answer.primary().plan.test == results::AnalysisPlan::Test::means; }
@@ -122,7 +122,7 @@ Cell result_cell(const ReportModel& answer, const OfMetric& metric, const std::s
   }
   const Descriptives& its = judged.descriptives[i];
   const bool has_means = are_means(answer);
-  const bool is_only_one = is_success_rate(judged) || judged.samples.is_log_scale || std::isnan(its.median);
+  const bool is_only_one = is_success_rate(judged) || is_log_scale(judged.samples) || std::isnan(its.median);
   const BoundedValue shown =
       is_only_one ? displayed_average(judged, i) : show::displayed(judged, i, has_means ? its.mean : its.median);
   if (std::isnan(shown.value))
@@ -130,7 +130,8 @@ Cell result_cell(const ReportModel& answer, const OfMetric& metric, const std::s
                                        : "without a value"};
   cell.value = shown.value, cell.is_bound = shown.is_bound;
   cell.interval = interval_of(judged, its);
-  if (!is_deciding || is_success_rate(judged) || judged.samples.is_conditional_on_success || cell.is_bound || its.n < 2)
+  if (!is_deciding || is_success_rate(judged) || is_conditional_on_success(judged.samples) || cell.is_bound ||
+      its.n < 2)
     return cell;
   if (has_means && !std::isnan(its.sd)) cell.sd = its.sd;
   if (!has_means && !is_only_one) cell.interval = Interval{its.lower_quartile, its.upper_quartile};
@@ -216,8 +217,8 @@ std::vector<std::string> explained(const ReportModel& answer, const Occurring& o
                                [&](const JudgedMetric& judged) { return std::invoke(is_so, judged.samples); });
   };
   const bool are_common =
-      is_any([](const MetricSamples& its) { return its.is_conditional_on_success && its.is_paired; });
-  return {is_any(&MetricSamples::is_ert)
+      is_any([](const MetricSamples& its) { return is_conditional_on_success(its) && its.is_paired; });
+  return {is_any(is_cost_per_success)
               ? fmt::format("Per solved: all that was spent, divided by the {} solved", answer.noun)
               : "",
           occurring.scales.empty() ? ""
@@ -304,13 +305,13 @@ Table results_table(const ReportModel& answer, bool is_brief) {
   for (const JudgedMetric& judged : answer.metrics) {
     const MetricSamples& samples = judged.samples;
     const bool is_average = &judged == &answer.primary() && !is_success_rate(judged) &&
-                            !samples.is_conditional_on_success && !samples.is_log_scale;
+                            !is_conditional_on_success(samples) && !is_log_scale(samples);
     table.columns.push_back({.name = (is_average ? average_shown(answer) + " " : "") + samples.quantity,
                              .unit = samples.unit,
                              .boundaries = percent_boundaries(judged)});
     const OfMetric metric(judged, reference);
     const bool are_ratios_here = metric.are_ratios,
-               are_counted = samples.is_conditional_on_success && !are_ratios_here && !judged.comparisons.empty();
+               are_counted = is_conditional_on_success(samples) && !are_ratios_here && !judged.comparisons.empty();
     if (are_ratios_here) occurring.ratios.push_back(samples.quantity);
     if (are_counted) occurring.counted.push_back(samples.quantity);
     for (auto& row : table.rows) {
@@ -318,7 +319,7 @@ Table results_table(const ReportModel& answer, bool is_brief) {
       if (const auto* const absent = std::get_if<MissingCell>(&row.back()))
         occurring.reasons.add(absent->reason, samples.quantity);
       if (const auto* const marked = std::get_if<ValueCell>(&row.back()))
-        occurring.add(*marked, is_success_rate(judged), !samples.is_log_scale && !are_ratios_here && !are_counted);
+        occurring.add(*marked, is_success_rate(judged), !is_log_scale(samples) && !are_ratios_here && !are_counted);
     }
   }
   const auto add = [&](std::vector<std::string> sentences) {

@@ -223,7 +223,7 @@ TEST_CASE("which way is better is asked for, whatever a column is called") {
   CHECK(finding(outcomes, {.better = {"smaller"}}).verdict == Verdict::better);
   CHECK(finding(rates, {.better = {"smaller", "success_rate=larger"}}).verdict == Verdict::better);
   CHECK(finding(outcomes, {.better = {"larger"}}).verdict == Verdict::worse);
-  CHECK(observations(outcomes, {.better = {"smaller"}}).scale == EffectScale::share);
+  CHECK(effect_scale(observations(outcomes, {.better = {"smaller"}})) == EffectScale::share);
   CHECK(observations("s,a=b\nA,1.5\nB,2\n", {.better = {"a=b=larger"}}).better == Better::larger);
   CHECK(contains(statements_of(rates, {.better = {"rate=larger"}}), "success_rate"));
   CHECK(contains(statements_of(rates, {.better = {"bigger"}}), "expected smaller"));
@@ -292,7 +292,7 @@ TEST_CASE("rows that are unrelated are compared without those that have no value
     Request request = worst;
     request.better = {better};
     const MetricSamples of = csv::read(shares, "data.csv", request).observed.front();
-    CHECK(of.scale == EffectScale::share);
+    CHECK(effect_scale(of) == EffectScale::share);
     CHECK(list_of(of.groups.front())[1] == value);
   }
 }
@@ -608,7 +608,7 @@ TEST_CASE("True and False are 1 and 0") {
   const MetricSamples of = observations(text, {.better = {"larger"}});
   CHECK(csv::read(text, "d.csv", smaller({})).notes.back() == "All values of solved are 0 or 1: shares are compared.");
   CHECK(of.quantity == "solved");
-  CHECK(of.scale == EffectScale::share);
+  CHECK(effect_scale(of) == EffectScale::share);
   CHECK(list_of(of.groups[1]) == std::vector{0.0, 1.0});
   // They may name the groups.
   const std::string pairs = "scene,optimized,time\nx,yes,1\nx,no,2.5\ny,yes,2\ny,no,3\nz,yes,5\nz,no,4\n";
@@ -689,14 +689,14 @@ TEST_CASE("a run counts by its mean, however many rows it has") {
 TEST_CASE("values of 0 and 1 are shares, and of several runs a target too") {
   const std::vector<std::string> better{"larger"};
   MetricSamples of = observations("s,v\nA,1\nA,1\nA,0\nB,0\nB,0\nB,1\n", {.better = better});
-  CHECK(of.scale == EffectScale::share);
-  CHECK(of.trials_per_observation == 1);
-  CHECK(observations("s,v\nA,1\nA,NA\nA,0\nB,0\nB,0\nB,1\n", {.better = better, .missing = "drop"}).scale ==
+  CHECK(effect_scale(of) == EffectScale::share);
+  CHECK(trials_per_value(of) == 1);
+  CHECK(effect_scale(observations("s,v\nA,1\nA,NA\nA,0\nB,0\nB,0\nB,1\n", {.better = better, .missing = "drop"})) ==
         EffectScale::share);
   CHECK_THROWS_AS(csv::with_margin({}, "0.1", of), std::invalid_argument);
   const MetricSamples several = observations("s,p,r,v\nA,1,1,1\nA,1,2,0\nB,1,1,1\nB,1,2,1\n",
                                              {.values = {"v"}, .block = {"p"}, .run = "r", .better = better});
-  CHECK(several.trials_per_observation == 2);
+  CHECK(trials_per_value(several) == 2);
   CHECK(list_of(several.groups[0]) == std::vector{0.5});
   std::string text = "s,p,r,v\n";
   for (int run = 0; run < 1000; ++run)

@@ -142,7 +142,8 @@ TEST_CASE("differences are those that were tested, in the order of the table; of
 
 TEST_CASE("mean ranks are those of the blocks, with a critical difference where all have all, and are none of means",
           "[of_study]") {
-  MetricSamples of{.metric = "error", .quantity = "error", .unit = "mm", .floor = 1e-9, .is_paired = true};
+  MetricSamples of{
+      .metric = "error", .quantity = "error", .unit = "mm", .kind = Ratios{.floor = 1e-9}, .is_paired = true};
   std::vector<results::Series> solvers;
   for (int s = 0; s < 4; ++s) {
     Sample its;

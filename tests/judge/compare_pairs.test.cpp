@@ -5,9 +5,14 @@ namespace {
 using Lists = std::vector<std::vector<double>>;
 using Names = std::vector<std::string>;
 
+// Sets the attempts of each value, where shares are compared.
+void set_trials(MetricSamples& of, int trials) {
+  if (is_proportion(of)) of.kind = Proportions{.trials_per_value = trials};
+}
+
 // Groups A, B, C, ...
 MetricSamples groups_of(const Lists& groups, EffectScale scale = EffectScale::ratio) {
-  MetricSamples of{.metric = "error", .quantity = "position error", .unit = "cm", .scale = scale};
+  MetricSamples of{.metric = "error", .quantity = "position error", .unit = "cm", .kind = kind_with(scale)};
   if (scale == EffectScale::share) of.better = Better::larger;
   for (const auto& values : groups)
     of.groups.push_back({.name = std::string(1, static_cast<char>('A' + of.groups.size())), .sample = Sample{values}});
@@ -228,7 +233,7 @@ TEST_CASE("no share of medians is a margin where a value is no answer", "[compar
 
 TEST_CASE("values below the floor are raised to it, and 0 to 0 is the ratio 1", "[compare]") {
   MetricSamples of = paired(groups_of({{0, 1e-9, 3, 3, 3, 3, 3, 3}, {1e-12, 0, 6, 6.1, 6.2, 6.3, 6.4, 6.5}}));
-  of.floor = 1e-7;
+  of.kind = Ratios{.floor = 1e-7};
   const Seen found = only(compared(of, by_ranks));
   CHECK(*found.p == 2 / 64.0);      // two pairs are equal, six ranks are left
   CHECK(*found.effect == 7.0 / 8);  // equal pairs count half
@@ -306,7 +311,7 @@ TEST_CASE("two constant shares have Newcombe's interval of that many targets if 
           "[compare]") {
   for (const bool is_paired : {false, true}) {
     MetricSamples of = groups_of({std::vector<double>(20, 0.8), std::vector<double>(20, 0.8)}, EffectScale::share);
-    of.trials_per_observation = 5;
+    set_trials(of, 5);
     of.is_paired = is_paired;
     const Interval expected = newcombe_interval(0.8, 20, 0.8, 20, 0.05), found = *only(compared(of, by_ranks)).interval;
     CHECK(found.low == Approx(expected.low));
@@ -319,7 +324,7 @@ TEST_CASE("two constant shares have Newcombe's interval of that many targets if 
 
 TEST_CASE("an interval of shares ends at 1", "[compare]") {
   MetricSamples of = groups_of({{1, 1, 0.8}, {0, 0, 0.2}}, EffectScale::share);
-  of.trials_per_observation = 5;
+  set_trials(of, 5);
   for (const bool is_paired : {false, true}) {
     of.is_paired = is_paired;
     CHECK(only(compared(of, by_ranks)).interval->high == 1);
@@ -340,7 +345,7 @@ TEST_CASE("Fisher's smallest p is one table of groups of two sizes, two of equal
 
 TEST_CASE("one target solved among many does not keep shares from a verdict", "[compare]") {
   MetricSamples of = groups_of({solved(1, 40), solved(40, 40)}, EffectScale::share);
-  of.trials_per_observation = 5;
+  set_trials(of, 5);
   CHECK(only(compared(of, by_means)).verdict == Verdict::worse);
 }
 
@@ -362,7 +367,7 @@ TEST_CASE("which group stands first changes no p", "[compare]") {
   const auto p_of = [](const Group& first, const Group& second, EffectScale scale) {
     MetricSamples of = groups_of({{}, {}}, scale);
     of.groups = {first, second};
-    of.trials_per_observation = 5;
+    set_trials(of, 5);
     return *only(compared(of, by_ranks)).p;
   };
   const Group one{.name = "A", .sample = Sample{.values = {1}, .is_deterministic = true}},
@@ -409,7 +414,7 @@ TEST_CASE("a solver that repeats itself differs in shares by the difference of t
   // Ten runs of ten targets; one always solves all, the other 17 of 100.
   MetricSamples of = groups_of({{1}, {.1, .2, .3, .1, .2, .1, .2, .3, .1, .1}}, EffectScale::share);
   of.groups[0].sample = Sample{.values = {1}, .is_deterministic = true};
-  of.trials_per_observation = 10;
+  set_trials(of, 10);
   const Seen found = only(compared(of, by_ranks));
   CHECK(found.test == "one-sample t");
   CHECK(*found.estimate == Approx(0.83));
@@ -423,7 +428,7 @@ TEST_CASE("values of fifteen decades differ by their ratios from one that repeat
   MetricSamples of =
       groups_of({{}, {4e-16, 5e-16, 6e-16, 7e-16, 8e-16, 4.5e-16, 5.5e-16, 6.5e-16, 7.5e-16, 8.5e-16, .9}});
   of.groups[0].sample = Sample{.values = {1e-16}, .is_deterministic = true};
-  of.floor = 1e-300;
+  of.kind = Ratios{.floor = 1e-300};
   const Seen found = only(compared(of, by_ranks));
   CHECK(found.n == 11);
   CHECK(*found.p == 2 / 2048.0);

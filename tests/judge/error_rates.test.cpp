@@ -59,8 +59,7 @@ MetricSamples drawn(const Row& row, std::size_t k, int n, Random& random) {
   if (row.is_per_solved) return drawn_per_solved(row, k, n, random);
   MetricSamples of{.metric = "x",
                    .quantity = "x",
-                   .scale = row.scale,
-                   .floor = row.floor,
+                   .kind = kind_with(row.scale, row.floor),
                    .is_paired = row.in_blocks || row.hard > 0};
   std::vector<double> blocks(static_cast<std::size_t>(n), 1.0);
   if (row.hard > 0)
@@ -259,9 +258,9 @@ TEST_CASE("verdicts are wrong no more often than they say", "[error_rates]") {
 
 // Solvers that cost the same: six sessions of times, evaluations of 50 targets, of which some solve fewer.
 show::ReportModel drawn_answer(Random& random, std::size_t k, double least_solved, bool are_times_judged) {
-  MetricSamples solved{.metric = "solved", .better = Better::larger, .scale = EffectScale::share, .is_paired = true},
-      times{.metric = "time", .is_paired = true, .is_log_scale = true, .min_blocks = 4},
-      evaluations{.metric = "evaluations", .floor = 1e-300, .is_paired = true};
+  MetricSamples solved{.metric = "solved", .better = Better::larger, .kind = Proportions{}, .is_paired = true},
+      times{.metric = "time", .kind = LogCosts{}, .is_paired = true, .min_blocks = 4},
+      evaluations{.metric = "evaluations", .kind = Ratios{.floor = 1e-300}, .is_paired = true};
   for (std::size_t g = 0; g < k; ++g) {
     Sample is_solved, logs, counts;
     for (int i = 0; i < 6; ++i) logs.values.push_back(0.05 * random.normal());

@@ -45,7 +45,7 @@ TEST_CASE("A chained run is one observation: the mean, of times the median") {
   });
   const MetricSamples errors = observed(of);
   CHECK_FALSE(errors.is_paired);
-  CHECK(errors.trials_per_observation == 4);
+  CHECK(trials_per_value(make_samples(of, metric_named("solved"))) == 4);
   CHECK(list_of(group(errors, "A")) == Numbers{12.5, 22.5, 32.5, 42.5, 52.5});
   CHECK(std::get<Sample>(group(errors, "A").sample).blocks.empty());
   CHECK(list_of(group(make_samples_by_target(of, metric_named("seconds")), "A")) == Numbers(5, 2.5));
@@ -54,12 +54,12 @@ TEST_CASE("A chained run is one observation: the mean, of times the median") {
 TEST_CASE("Else a target is one: a drawn one's only solve, a fixed one's mean over the runs") {
   const MetricSamples of_drawn = observed(study(drawn, number_errors));
   CHECK(of_drawn.is_paired);
-  CHECK(of_drawn.trials_per_observation == 1);
+  CHECK(trials_per_value(make_samples(study(drawn, number_errors), metric_named("solved"))) == 1);
   CHECK(list_of(group(of_drawn, "A")).size() == 20);
   CHECK(list_of(group(of_drawn, "A"))[4] == 21);
   const MetricSamples of_fixed = observed(study(fixed_targets, number_errors));
   CHECK(of_fixed.is_paired);
-  CHECK(of_fixed.trials_per_observation == 5);
+  CHECK(trials_per_value(make_samples(study(fixed_targets, number_errors), metric_named("solved"))) == 5);
   CHECK(list_of(group(of_fixed, "A")) == Numbers{31, 32, 33, 34});
   const Asked path_by_points{.start = "previous", .rest = R"(, "analysis": {"values": "points"})"};
   const MetricSamples of_path = observed(study(path_by_points, number_errors));
@@ -167,8 +167,8 @@ TEST_CASE("Solved is a share where there is a tolerance, and else has no value")
   };
   const MetricSamples of = observed(study({.start = "previous", .tolerance_cm = 1}, misses), "solved");
   CHECK(of.better == Better::larger);
-  CHECK(of.scale == EffectScale::share);
-  CHECK(of.trials_per_observation == 4);
+  CHECK(effect_scale(of) == EffectScale::share);
+  CHECK(trials_per_value(of) == 4);
   CHECK(list_of(group(of, "A")) == Numbers(5, 0.75));
   CHECK(list_of(group(observed(study(chained, misses), "solved"), "A")).empty());
 }

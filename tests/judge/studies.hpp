@@ -21,6 +21,19 @@ using results::SolveRecord;
 using results::Status;
 using results::Timing;
 
+// The kind of values whose effects have this scale.
+inline SampleKind kind_with(EffectScale scale, double floor = 0) {
+  switch (scale) {
+    case EffectScale::ratio:
+      return Ratios{.floor = floor};
+    case EffectScale::difference:
+      return Differences{};
+    case EffectScale::share:
+      break;
+  }
+  return Proportions{};
+}
+
 // A finding with all that some kinds of findings have.
 enum class SeenReason { tested, lost, apart, fact, too_few, few_decide };
 struct Seen : Comparison {

@@ -43,7 +43,7 @@ inline judge::MetricSamples shares(std::vector<std::pair<std::string, std::vecto
                           .quantity = "solved",
                           .quantity_kind = judge::QuantityKind::solved,
                           .better = judge::Better::larger,
-                          .scale = judge::EffectScale::share,
+                          .kind = judge::Proportions{},
                           .is_paired = true};
   for (auto& [name, values] : groups) of.groups.push_back({.name = name, .sample = judge::Sample{std::move(values)}});
   return of;
@@ -51,8 +51,10 @@ inline judge::MetricSamples shares(std::vector<std::pair<std::string, std::vecto
 
 inline judge::MetricSamples numbers(std::string metric, std::string quantity, std::string unit,
                                     std::vector<std::pair<std::string, std::vector<double>>> groups) {
-  judge::MetricSamples of{
-      .metric = std::move(metric), .quantity = std::move(quantity), .unit = std::move(unit), .floor = 1e-9};
+  judge::MetricSamples of{.metric = std::move(metric),
+                          .quantity = std::move(quantity),
+                          .unit = std::move(unit),
+                          .kind = judge::Ratios{.floor = 1e-9}};
   for (auto& [name, values] : groups) of.groups.push_back({.name = name, .sample = judge::Sample{std::move(values)}});
   return of;
 }
@@ -83,7 +85,7 @@ inline judge::JudgedStudy judged_study(const std::string& mine = "mine") {
 
   all.metrics.push_back(judged(shares({{mine, solved(6)}, {"PSO", solved(13)}, {"DLS", solved(20)}})));
   const auto add = [&](judge::MetricSamples costs) {
-    costs.is_conditional_on_success = true;
+    std::get<judge::Ratios>(costs.kind).is_conditional_on_success = true;
     all.metrics.push_back(judged(std::move(costs)));
   };
   add(numbers("variation", "joint motion", "deg",

@@ -113,7 +113,8 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
       shares({{"LM", {1}}, {"PSO", {0.2, 0.4, 0.3, 0.5, 0.4}}, {"BA", {0, 0.01, 0.02, 0.01, 0}}});
   two_fields.groups[0].sample = judge::Sample{.values = {1}, .is_deterministic = true};
   two_fields.groups.push_back({.name = "DLS", .sample = judge::Sample{.values = {1}, .is_deterministic = true}});
-  two_fields.is_paired = false, two_fields.trials_per_observation = 20;
+  two_fields.is_paired = false;
+  two_fields.kind = judge::Proportions{.trials_per_value = 20};
   add("two fields that no test joins", of(two_fields));
   MetricSamples repeated = errors({{"A", {1}}, {"B", {2}}});
   repeated.groups[0].sample = judge::Sample{.values = {1}, .is_deterministic = true},
@@ -126,7 +127,7 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   bound.groups[0].tolerance = 0.1;
   add("at the tolerance", of(bound));
   MetricSamples several = shares({{"A", {0.5, 0.75, 1, 0.75}}, {"B", {1, 1, 1, 0.75}}});
-  several.trials_per_observation = 4;
+  several.kind = judge::Proportions{.trials_per_value = 4};
   add("several runs a target", of(several));
   check_golden("headlines.txt", all);
 }

@@ -293,7 +293,8 @@ TEST_CASE("a pair has one effect size, named by its standardiser", "[show]") {
 TEST_CASE("marks say who is worse or better than the reference, and stand at what the test was of", "[show]") {
   const auto a = values_around(1, 0.5), b = values_around(3, 0.5), c = values_around(3.03, 0.6);
   const auto text = [](judge::MetricSamples costs, results::AnalysisPlan plan = {}, int last = 6) {
-    costs.is_conditional_on_success = costs.is_paired = true;
+    std::get<judge::Ratios>(costs.kind).is_conditional_on_success = true;
+    costs.is_paired = true;
     const auto shown_of = shares({{"A", solved(6)}, {"B", solved(20)}, {"C", solved(last)}});
     const Table table = results_table(answer_of({judged(shown_of, plan), judged(std::move(costs), plan)}));
     return to_text(table);

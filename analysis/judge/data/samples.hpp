@@ -75,27 +75,71 @@ inline std::span<const double> values_of(const Group& group) {
   return {};
 }
 
+// Positive values, which are compared by their ratio.
+struct Ratios {
+  double floor = 0;                        // a smaller value counts as this
+  bool is_conditional_on_success = false;  // costs of solved targets only, so that each group has its own targets
+};
+// Values of any sign, which are compared by their difference.
+struct Differences {
+  bool is_conditional_on_success = false;  // as for ratios
+};
+// Shares of successes from 0 to 1, which are compared by their difference.
+struct Proportions {
+  int trials_per_value = 1;  // 1: each value is 0 or 1
+};
+// Logarithms of costs. Their means are compared, so that the effect is a ratio.
+struct LogCosts {
+  bool is_per_success = false;  // expected running time: cost of all attempts / number of targets solved
+};
+// The kind of the values of a metric, with what only this kind has.
+using SampleKind = std::variant<Ratios, Differences, Proportions, LogCosts>;
+
 struct MetricSamples {
   std::string metric;    // of files and anchors: "error"
   std::string quantity;  // "position error"
   std::string unit = {};
   QuantityKind quantity_kind = QuantityKind::other;
   Better better = Better::smaller;
-  EffectScale scale = EffectScale::ratio;
+  SampleKind kind = Ratios{};
   double absolute_margin = 0;    // of the plan, in this unit
-  double floor = 0;              // of ratios: a smaller value counts as this
   double resolution = 0;         // values that differ by no more are equal
   bool is_paired = false;        // values of one block belong together; without blocks, values[i]
   bool may_hold_copies = false;  // rows of a file, of which nothing says that each is a measurement of its own
-  bool is_conditional_on_success =
-      false;                       // so each group has its own targets: numbers of two are comparable in findings alone
-  bool is_ert = false;             // what all attempts took, by the number of targets solved
-  bool is_log_scale = false;       // values are logarithms, and their mean is compared: that of the ratio
-  int trials_per_observation = 1;  // of shares: attempts in an observation; one makes it 0 or 1
-  int min_blocks = 0;              // common blocks that a pair needs
+  int min_blocks = 0;            // common blocks that a pair needs
   std::vector<Group> groups = {};
   std::vector<Warning> warnings = {};
 };
+
+inline bool is_proportion(const MetricSamples& samples) { return std::holds_alternative<Proportions>(samples.kind); }
+inline bool is_log_scale(const MetricSamples& samples) { return std::holds_alternative<LogCosts>(samples.kind); }
+// Returns whether the values are costs per success (expected running time).
+inline bool is_cost_per_success(const MetricSamples& samples) {
+  const LogCosts* const costs = std::get_if<LogCosts>(&samples.kind);
+  return costs != nullptr && costs->is_per_success;
+}
+// Returns whether each group has values of its own solved targets only, so that numbers of two groups must not be
+// compared outside of a comparison.
+inline bool is_conditional_on_success(const MetricSamples& samples) {
+  if (const Ratios* const ratios = std::get_if<Ratios>(&samples.kind)) return ratios->is_conditional_on_success;
+  const Differences* const differences = std::get_if<Differences>(&samples.kind);
+  return differences != nullptr && differences->is_conditional_on_success;
+}
+// Returns the value below which values are equal; 0 if the metric has none.
+inline double floor_of(const MetricSamples& samples) {
+  const Ratios* const ratios = std::get_if<Ratios>(&samples.kind);
+  return ratios == nullptr ? 0 : ratios->floor;
+}
+// Returns the attempts that a value is made of, if the values are proportions; otherwise 1.
+inline int trials_per_value(const MetricSamples& samples) {
+  const Proportions* const proportions = std::get_if<Proportions>(&samples.kind);
+  return proportions == nullptr ? 1 : proportions->trials_per_value;
+}
+// Returns what a comparison of the metric estimates, if its values are not compared by means.
+inline EffectScale effect_scale(const MetricSamples& samples) {
+  if (std::holds_alternative<Differences>(samples.kind)) return EffectScale::difference;
+  return is_proportion(samples) ? EffectScale::share : EffectScale::ratio;
+}
 
 // The place of a group; their number if there is none of this name.
 inline std::size_t index_of(const MetricSamples& samples, std::string_view name) {

@@ -218,10 +218,26 @@ Group group_of_times(const StudyResults& study, const Metric& metric, const std:
   return group;
 }
 
+// Returns the kind of a metric's values before anything is known of the study.
+SampleKind sample_kind(const Metric& metric) {
+  switch (metric.kind) {
+    case MetricKind::success_rate:
+      return Proportions{};
+    case MetricKind::ert:
+      return LogCosts{.is_per_success = true};
+    case MetricKind::error:
+    case MetricKind::cost:
+    case MetricKind::per_run:
+      break;
+  }
+  if (metric.value_of == nullptr) return Differences{};  // a number of the study's check may be negative
+  return Ratios{.floor = metric.floor};
+}
+
 MetricSamples observe_times(const StudyResults& study, const Metric& metric) {
   MetricSamples samples = empty_samples(metric);
   samples.is_paired = true;
-  samples.is_log_scale = metric.kind != MetricKind::success_rate;
+  if (metric.kind == MetricKind::cost) samples.kind = LogCosts{};
   samples.min_blocks = min_sessions;
   const SessionSets sessions = session_sets(study);
   const bool is_share = metric.kind == MetricKind::success_rate;
@@ -273,12 +289,8 @@ MetricSamples empty_samples(const Metric& metric) {
           .unit = std::string(metric.unit),
           .quantity_kind = metric.quantity_kind,
           .better = metric.better,
-          .scale = metric.kind == MetricKind::success_rate ? EffectScale::share
-                   : metric.value_of == nullptr            ? EffectScale::difference
-                                                           : EffectScale::ratio,
-          .floor = metric.floor,
-          .resolution = metric.resolution,
-          .is_ert = metric.kind == MetricKind::ert};
+          .kind = sample_kind(metric),
+          .resolution = metric.resolution};
 }
 
 MetricSamples make_samples(const StudyResults& study, const Metric& metric) {
@@ -308,9 +320,16 @@ MetricSamples make_samples_by_target(const StudyResults& study, const Metric& me
   const bool of_runs = are_runs(study, metric);
   MetricSamples samples = empty_samples(metric);
   samples.is_paired = definition.draws_targets || !of_runs;
-  samples.is_conditional_on_success = is_of_solved(study, metric);
-  samples.is_log_scale = metric.kind == MetricKind::ert;
-  samples.trials_per_observation = of_runs ? definition.points : definition.draws_targets ? 1 : definition.runs;
+  if (auto* const ratios = std::get_if<Ratios>(&samples.kind))
+    ratios->is_conditional_on_success = is_of_solved(study, metric);
+  if (auto* const differences = std::get_if<Differences>(&samples.kind))
+    differences->is_conditional_on_success = is_of_solved(study, metric);
+  if (auto* const proportions = std::get_if<Proportions>(&samples.kind)) {
+    if (of_runs)
+      proportions->trials_per_value = definition.points;
+    else if (!definition.draws_targets)
+      proportions->trials_per_value = definition.runs;
+  }
   for (const std::string& solver : study.labels)
     samples.groups.push_back(group_of(study, metric, samples.is_paired, solver));
   return samples;

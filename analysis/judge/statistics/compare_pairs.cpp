@@ -74,12 +74,12 @@ constexpr const Method* methods[][3]{{&unpaired_ranks, &signed_ranks, &signs},
 const Method& method_of(const MetricSamples& samples, const AnalysisPlan& plan, const Group& a, const Group& b) {
   const bool is_printed =
       std::holds_alternative<SummaryStatistics>(a.sample) || std::holds_alternative<SummaryStatistics>(b.sample);
-  const bool is_one = repeats_itself(a) || repeats_itself(b), is_share = samples.scale == EffectScale::share;
+  const bool is_one = repeats_itself(a) || repeats_itself(b), is_share = is_proportion(samples);
   const bool by_means =
-      is_printed || is_share || samples.is_log_scale || (plan.test == AnalysisPlan::Test::means && !is_one);
-  const By by = is_share && samples.trials_per_observation == 1 && samples.min_blocks == 0 && !is_printed ? By::shares
-                : by_means                                                                                ? By::means
-                                                                                                          : By::ranks;
+      is_printed || is_share || is_log_scale(samples) || (plan.test == AnalysisPlan::Test::means && !is_one);
+  const By by = is_share && trials_per_value(samples) == 1 && samples.min_blocks == 0 && !is_printed ? By::shares
+                : by_means                                                                           ? By::means
+                                                                                                     : By::ranks;
   if (by == By::ranks && !samples.is_paired && !is_one && is_constant(a) != is_constant(b)) return signs_and_ranks;
   return *methods[static_cast<std::size_t>(by)][is_printed ? 0 : is_one ? 2 : samples.is_paired];
 }
@@ -134,7 +134,7 @@ Trial trial_of(const MetricSamples& samples, const AnalysisPlan& plan, const Pai
   const SummaryStatistics &first = numbers.of_first, &second = numbers.of_second;
   trial.outcome = pair.method->test(numbers, alpha);
   std::optional<Interval>& interval = trial.outcome.interval;
-  if (samples.scale == EffectScale::share) {
+  if (is_proportion(samples)) {
     if (interval) interval = Interval{std::max(-1.0, interval->low), std::min(1.0, interval->high)};
     if (first.sd == 0 && second.sd == 0 && numbers.are_all_equal && !interval)
       interval = newcombe_interval(first.mean, first.n, second.mean, second.n, alpha);
@@ -147,9 +147,9 @@ Trial trial_of(const MetricSamples& samples, const AnalysisPlan& plan, const Pai
   };
   const double one = centre(numbers.first, first), other = centre(numbers.second, second);
   const double relative = numbers.infinity_substitute > 0 ? 0 : plan.margin * std::min(std::abs(one), std::abs(other));
-  const double margin = samples.scale == EffectScale::share  ? plan.margin
-                        : takes_logs || samples.is_log_scale ? std::log1p(plan.margin)
-                                                             : std::max(samples.absolute_margin, relative);
+  const double margin = is_proportion(samples)                ? plan.margin
+                        : takes_logs || is_log_scale(samples) ? std::log1p(plan.margin)
+                                                              : std::max(samples.absolute_margin, relative);
   const auto lies_within = [&](const UnadjustedTest& outcome) {  // values without spread have their difference alone
     const Interval held = outcome.interval.value_or(Interval{outcome.estimate, outcome.estimate});
     return held.low >= -margin * (1 + 1e-9) && held.high <= margin * (1 + 1e-9);  // up to rounding
@@ -175,7 +175,7 @@ std::optional<Dominance> effect_of(const MetricSamples& samples, const Pair& pai
   const bool has_differences = pair.method->is_by_difference;
   const std::vector<double>& first = has_differences ? numbers.differences : numbers.first;
   std::vector<double> second = has_differences ? std::vector{0.0} : numbers.second;
-  if (samples.is_log_scale || first.empty() || second.empty()) return {};
+  if (is_log_scale(samples) || first.empty() || second.empty()) return {};
   if (!std::ranges::is_sorted(second)) std::ranges::sort(second);
   double larger = 0, smaller = 0;
   for (const double value : first) {
@@ -190,7 +190,7 @@ std::optional<Dominance> effect_of(const MetricSamples& samples, const Pair& pai
 
 DeterministicResult fact_of(const MetricSamples& samples, const AnalysisPlan& plan, const Pair& pair) {
   double one = values_of(*pair.a).front(), other = values_of(*pair.b).front();
-  if (samples.is_log_scale) one = std::exp(one), other = std::exp(other);
+  if (is_log_scale(samples)) one = std::exp(one), other = std::exp(other);
   return {is_worse_beyond_margin(samples, plan, one, other)   ? Verdict::worse
           : is_worse_beyond_margin(samples, plan, other, one) ? Verdict::better
                                                               : Verdict::equivalent};
@@ -212,8 +212,8 @@ Comparison judged_on_common(const MetricSamples& samples, const AnalysisPlan& pl
     comparison.result = *pair.open;
     return comparison;
   }
-  const bool is_ratio = pair.scale == EffectScale::ratio, takes_logs = is_ratio && !samples.is_log_scale;
-  const bool are_means = pair.method->by == By::means && samples.scale != EffectScale::share;
+  const bool is_ratio = pair.scale == EffectScale::ratio, takes_logs = is_ratio && !is_log_scale(samples);
+  const bool are_means = pair.method->by == By::means && !is_proportion(samples);
   const double alpha = plan.significance / tests, none = null_value(pair.scale);
   const Trial trial = trial_of(samples, plan, pair, takes_logs, alpha);
   constexpr double enough_solved = 20;  // of fewer, an interval of costs with heavy tails misses too often
@@ -232,9 +232,9 @@ Comparison judged_on_common(const MetricSamples& samples, const AnalysisPlan& pl
                     .test = pair.method->name,
                     .n = pair.n};
   const bool is_decided = tested.adjusted_p < plan.significance;
-  if (are_means && !samples.is_log_scale) tested.hedges_g = hedges_g(trial.numbers.of_first, trial.numbers.of_second);
+  if (are_means && !is_log_scale(samples)) tested.hedges_g = hedges_g(trial.numbers.of_first, trial.numbers.of_second);
   // Of logarithms p itself would be that of few.
-  if (are_means && (samples.is_log_scale || is_same || is_decided) &&
+  if (are_means && (is_log_scale(samples) || is_same || is_decided) &&
       (is_dominated(*pair.a) || is_dominated(*pair.b))) {
     comparison.result = NotTested{.reason = NotTestedReason::dominated, .n = pair.n};
     return comparison;
@@ -322,8 +322,8 @@ std::vector<Pair> pairs_of(const MetricSamples& samples, const std::vector<Group
         pair.b = &rising[j];
       }
       const bool has_differences =
-          samples.scale == EffectScale::ratio && pair.method->by != By::ranks && !samples.is_log_scale;
-      pair.scale = has_differences ? EffectScale::difference : samples.scale;
+          effect_scale(samples) == EffectScale::ratio && pair.method->by != By::ranks && !is_log_scale(samples);
+      pair.scale = has_differences ? EffectScale::difference : effect_scale(samples);
       const auto [m, n] = common_sizes(*a, *b);
       const std::size_t few = std::min(m, n), many = std::max(m, n);
       pair.n = static_cast<int>(few > 0 && pair.has_one() ? many : few);
@@ -481,9 +481,9 @@ Comparison better_first(Comparison comparison, std::string_view control, bool is
 }
 
 bool is_worse_beyond_margin(const MetricSamples& samples, const AnalysisPlan& plan, double one, double other) {
-  if (samples.scale == EffectScale::ratio) one = std::max(one, samples.floor), other = std::max(other, samples.floor);
-  const double relative =
-      plan.margin * (samples.scale == EffectScale::share ? 1 : std::min(std::abs(one), std::abs(other)));
+  if (effect_scale(samples) == EffectScale::ratio)
+    one = std::max(one, floor_of(samples)), other = std::max(other, floor_of(samples));
+  const double relative = plan.margin * (is_proportion(samples) ? 1 : std::min(std::abs(one), std::abs(other)));
   const double loss = samples.better == Better::smaller ? one - other : other - one;
   return loss > std::max(samples.absolute_margin, relative) + samples.resolution;
 }

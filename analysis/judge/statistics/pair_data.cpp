@@ -28,7 +28,7 @@ void remove_rounding(std::vector<double>& values, const std::vector<double>& rou
 void settle(std::vector<double>& values, const MetricSamples& samples, bool has_floor) {
   std::vector<double> roundings;
   for (double& value : values) {
-    value = has_floor ? std::max(value, samples.floor) : value;
+    value = has_floor ? std::max(value, floor_of(samples)) : value;
     // No answer is no number, so none is equal to it.
     roundings.push_back(std::isinf(value) ? 0 : std::max(samples.resolution, rounding_of_doubles * std::abs(value)));
   }
