@@ -108,7 +108,8 @@ double rounded(double value) { return std::round(1e10 * value) / 1e10; }
 Rate rate_of(std::string row, double share, double n, std::string_view digits, double n_printed, double unit,
              const Repeated& repeated) {
   const double printed = base::number_from(digits).value();
-  const Interval difference = newcombe_interval(share, n, printed / unit, n_printed, 1 - repeated.paper.rates.level);
+  const Interval difference = newcombe_interval({.share = share, .n = n}, {.share = printed / unit, .n = n_printed},
+                                                1 - repeated.paper.rates.level);
   return {
       .row = std::move(row),
       .digits = std::string(digits),

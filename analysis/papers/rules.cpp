@@ -130,8 +130,9 @@ JudgedClaims solves_most(const Claim& claim, const Repeated& repeated) {
       for (const Rate& each : column.rates)
         if (has(claim.against, column.name) && each.row == rate.row && (!best || best->ours < each.ours)) best = &each;
     if (best == nullptr) continue;
-    const Interval difference = newcombe_interval(rate.ours / 100, rate.n, best->ours / 100, best->n,
-                                                  repeated.study().study.definition.plan.significance);
+    const Interval difference =
+        newcombe_interval({.share = rate.ours / 100, .n = rate.n}, {.share = best->ours / 100, .n = best->n},
+                          repeated.study().study.definition.plan.significance);
     tally.add(difference.low > 0 ? Verdict::better : difference.high < 0 ? Verdict::worse : Verdict::inconclusive);
   }
   if (tally.all() == 0) return {};

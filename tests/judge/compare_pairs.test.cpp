@@ -313,7 +313,8 @@ TEST_CASE("two constant shares have Newcombe's interval of that many targets if 
     MetricSamples of = groups_of({std::vector<double>(20, 0.8), std::vector<double>(20, 0.8)}, EffectScale::share);
     set_trials(of, 5);
     of.is_paired = is_paired;
-    const Interval expected = newcombe_interval(0.8, 20, 0.8, 20, 0.05), found = *only(compared(of, by_ranks)).interval;
+    const Interval expected = newcombe_interval({0.8, 20}, {0.8, 20}, 0.05),
+                   found = *only(compared(of, by_ranks)).interval;
     CHECK(found.low == Approx(expected.low));
     CHECK(found.high == Approx(expected.high));
     std::ranges::fill(values_in(of.groups[0]), 1.0);

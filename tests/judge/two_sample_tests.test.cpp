@@ -144,10 +144,10 @@ TEST_CASE("Wilson's and Newcombe's intervals are those published", "[tests_of_tw
   check_interval(wilson_interval(0, 20, 0.05), 0, zz / (20 + zz));
   check_interval(wilson_interval(1, 20, 0.05), 20 / (20 + zz), 1);
   // Newcombe, Statistics in Medicine 17 (1998) 873, Table II, method 10.
-  check_interval(newcombe_interval(56 / 70.0, 70, 48 / 80.0, 80, 0.05), 0.0524, 0.3339, 5.1e-5);
-  check_interval(newcombe_interval(9 / 10.0, 10, 3 / 10.0, 10, 0.05), 0.1705, 0.8090, 5.1e-5);
-  check_interval(newcombe_interval(5 / 56.0, 56, 0, 29, 0.05), -0.0381, 0.1926, 5.1e-5);
-  check_interval(newcombe_interval(1, 10, 0, 10, 0.05), 0.6075, 1, 5.1e-5);
+  check_interval(newcombe_interval({56 / 70.0, 70}, {48 / 80.0, 80}, 0.05), 0.0524, 0.3339, 5.1e-5);
+  check_interval(newcombe_interval({9 / 10.0, 10}, {3 / 10.0, 10}, 0.05), 0.1705, 0.8090, 5.1e-5);
+  check_interval(newcombe_interval({5 / 56.0, 56}, {0, 29}, 0.05), -0.0381, 0.1926, 5.1e-5);
+  check_interval(newcombe_interval({1, 10}, {0, 10}, 0.05), 0.6075, 1, 5.1e-5);
 }
 
 TEST_CASE("Fisher's p sums the tables that are no more probable", "[tests_of_two]") {

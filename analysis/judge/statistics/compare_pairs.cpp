@@ -15,26 +15,28 @@
 namespace ikbench::judge {
 namespace {
 
-// What a test does with two groups.
+// A test of two groups, and the smallest p that it can give.
 struct Method {
   enum class By { ranks, means, shares };
 
   std::string_view name;
   By by;
-  bool is_by_difference;  // of pairs, or of values and the one of a solver that repeats itself
-  UnadjustedTest (*test)(const PairData& its, double alpha);
+  bool is_by_difference;  // of paired values, or of values and the one value of a deterministic solver
+  UnadjustedTest (*test)(const PairData& data, double alpha);
   bool is_by_values_too = false;
 
-  // That groups of these sizes, and so many differences, can give.
+  // Returns the smallest p that groups of these sizes with so many differences can give.
   double smallest_p(std::size_t m, std::size_t n, std::size_t differences) const {
     const std::size_t few = std::min(m, n);
-    // Of two values the larger is more than half of their sum.
+    // Two values never decide by means, since the larger one is more than half of their sum.
     if (by == By::means && (m == n || !is_by_difference)) return few < 3 ? 1 : 0;
     const double by_differences = is_by_difference ? min_p_paired(differences) : 0;
     if (is_by_difference && !is_by_values_too) return by_differences;
-    // The rarest table of Fisher's test is one, or of groups of one size two: all of one solved and none of the other,
-    // or the other way round.
-    const double by_values = few < 2 ? 1 : min_p_unpaired(m, n) / (by == By::shares && m != n ? 2 : 1);
+    if (few < 2) return 1;
+    // All of one group solved and none of the other is the rarest table of Fisher's test. If the sizes are equal, the
+    // opposite table is as rare.
+    const bool is_single_table = by == By::shares && m != n;
+    const double by_values = min_p_unpaired(m, n) / (is_single_table ? 2 : 1);
     return std::max(by_differences, by_values);
   }
 };
@@ -42,46 +44,62 @@ struct Method {
 using By = Method::By;
 
 constexpr Method unpaired_ranks{"Brunner-Munzel and Mann-Whitney", By::ranks, false,
-                                [](auto& its, double alpha) { return rank_test(its.first, its.second, alpha); }};
+                                [](auto& data, double alpha) { return rank_test(data.first, data.second, alpha); }};
 constexpr Method signed_ranks{"Wilcoxon's signed ranks", By::ranks, true,
-                              [](auto& its, double alpha) { return signed_rank_test(its.differences, alpha); }};
+                              [](auto& data, double alpha) { return signed_rank_test(data.differences, alpha); }};
 constexpr Method signs{"sign test", By::ranks, true,
-                       [](auto& its, double alpha) { return sign_test(its.differences, alpha); }};
+                       [](auto& data, double alpha) { return sign_test(data.differences, alpha); }};
 constexpr Method signs_and_ranks{"sign test and Mann-Whitney", By::ranks, true,
-                                 [](auto& its, double alpha) {
-                                   UnadjustedTest outcome = sign_test(its.differences, alpha);
-                                   outcome.p = std::max(outcome.p, mann_whitney(its.first, its.second));
+                                 [](auto& data, double alpha) {
+                                   UnadjustedTest outcome = sign_test(data.differences, alpha);
+                                   outcome.p = std::max(outcome.p, mann_whitney(data.first, data.second));
                                    return outcome;
                                  },
                                  true};
 constexpr Method paired_t{"paired t", By::means, true,
-                          [](auto& its, double alpha) { return t_test(its.differences, alpha, its.effective_n); }};
+                          [](auto& data, double alpha) { return t_test(data.differences, alpha, data.effective_n); }};
 constexpr Method one_t{"one-sample t", By::means, true, paired_t.test};
-constexpr Method unpaired_t{"Welch's t", By::means, false, [](auto& its, double alpha) {
-                              return welch(its.of_first, its.of_second, alpha, its.effective_n);
+constexpr Method unpaired_t{"Welch's t", By::means, false, [](auto& data, double alpha) {
+                              return welch(data.of_first, data.of_second, alpha, data.effective_n);
                             }};
 constexpr Method paired_shares{"McNemar's exact", By::shares, true,
-                               [](auto& its, double alpha) { return mcnemar(its.first, its.second, alpha); }};
+                               [](auto& data, double alpha) { return mcnemar(data.first, data.second, alpha); }};
 constexpr Method unpaired_shares{"Fisher's exact", By::shares, false,
-                                 [](auto& its, double alpha) { return fisher(its.first, its.second, alpha); }};
+                                 [](auto& data, double alpha) { return fisher(data.first, data.second, alpha); }};
 
-// By what is compared: unpaired, paired, and against the one value of a solver that repeats itself.
-constexpr const Method* methods[][3]{{&unpaired_ranks, &signed_ranks, &signs},
-                                     {&unpaired_t, &paired_t, &one_t},
-                                     {&unpaired_shares, &paired_shares, &one_t}};
+// The tests of one kind of numbers, by design.
+struct Methods {
+  const Method *unpaired, *paired, *against_one_value;
+};
+constexpr Methods methods[]{{&unpaired_ranks, &signed_ranks, &signs},  // in the order of By
+                            {&unpaired_t, &paired_t, &one_t},
+                            {&unpaired_shares, &paired_shares, &one_t}};
 
-// What design and plan choose, never the values, unless a file's may be copies.
+// The design of a pair. Together with the plan the design decides the test, and no value does.
+struct Design {
+  bool is_printed = false;      // a group has only a printed summary
+  bool is_against_one = false;  // a group is deterministic, so that one value stands for all its runs
+};
+
+By method_kind(const MetricSamples& samples, const AnalysisPlan& plan, const Design& design) {
+  const bool has_single_trials = trials_per_value(samples) == 1 && samples.min_blocks == 0;
+  if (is_proportion(samples) && has_single_trials && !design.is_printed) return By::shares;
+  if (design.is_printed || is_proportion(samples) || is_log_scale(samples)) return By::means;
+  return plan.test == AnalysisPlan::Test::means && !design.is_against_one ? By::means : By::ranks;
+}
+
 const Method& method_of(const MetricSamples& samples, const AnalysisPlan& plan, const Group& a, const Group& b) {
-  const bool is_printed =
-      std::holds_alternative<SummaryStatistics>(a.sample) || std::holds_alternative<SummaryStatistics>(b.sample);
-  const bool is_one = repeats_itself(a) || repeats_itself(b), is_share = is_proportion(samples);
-  const bool by_means =
-      is_printed || is_share || is_log_scale(samples) || (plan.test == AnalysisPlan::Test::means && !is_one);
-  const By by = is_share && trials_per_value(samples) == 1 && samples.min_blocks == 0 && !is_printed ? By::shares
-                : by_means                                                                           ? By::means
-                                                                                                     : By::ranks;
-  if (by == By::ranks && !samples.is_paired && !is_one && is_constant(a) != is_constant(b)) return signs_and_ranks;
-  return *methods[static_cast<std::size_t>(by)][is_printed ? 0 : is_one ? 2 : samples.is_paired];
+  const auto is_summary = [](const Group& group) { return std::holds_alternative<SummaryStatistics>(group.sample); };
+  const Design design{.is_printed = is_summary(a) || is_summary(b),
+                      .is_against_one = repeats_itself(a) || repeats_itself(b)};
+  const By by = method_kind(samples, plan, design);
+  const Methods& row = methods[static_cast<std::size_t>(by)];
+  if (design.is_printed) return *row.unpaired;
+  if (design.is_against_one) return *row.against_one_value;
+  if (samples.is_paired) return *row.paired;
+  // Equal values of a file may be copies of one measurement, so that only one of them counts.
+  if (by == By::ranks && is_constant(a) != is_constant(b)) return signs_and_ranks;
+  return *row.unpaired;
 }
 
 std::size_t size_of(const Group& group) {
@@ -90,18 +108,18 @@ std::size_t size_of(const Group& group) {
   return values_of(group).size();
 }
 
-// Two groups of the observations, which outlive it: pairs are many, so each holds no values.
+// Two groups of the samples, which outlive the pair: pairs are many, so no pair holds values.
 struct Pair {
   const Group *a, *b;
   const Method* method;
-  std::size_t first_index = 0, second_index = 0;  // of the groups in the observations
-  EffectScale scale = EffectScale::difference;    // of the amount
+  std::size_t first_index = 0, second_index = 0;  // places of the groups in the samples
+  EffectScale scale = EffectScale::difference;    // of the estimate
   double smallest_p = 1;
   int n = 0;
-  std::optional<NotTested> open = {};
+  std::optional<NotTested> not_tested = {};  // decided before any p is known
 
-  bool has_one() const { return repeats_itself(*a) || repeats_itself(*b); }  // one value for all runs
-  bool is_fact() const { return repeats_itself(*a) && repeats_itself(*b); }
+  bool has_deterministic() const { return repeats_itself(*a) || repeats_itself(*b); }
+  bool are_both_deterministic() const { return repeats_itself(*a) && repeats_itself(*b); }
 };
 
 // Returns whether two groups have different blocks, so that only some are common.
@@ -110,7 +128,7 @@ bool has_other_blocks(const Group& a, const Group& b) {
   return of_a != nullptr && of_b != nullptr && of_a->blocks != of_b->blocks;
 }
 
-// The sizes of the two groups in the blocks that both have.
+// Returns the sizes of the two groups in the blocks that both have.
 std::pair<std::size_t, std::size_t> common_sizes(const Group& a, const Group& b) {
   if (!has_other_blocks(a, b)) return {size_of(a), size_of(b)};
   const Sample *const of_a = sample_of(a), *const of_b = sample_of(b);
@@ -119,59 +137,95 @@ std::pair<std::size_t, std::size_t> common_sizes(const Group& a, const Group& b)
   return {common, common};
 }
 
-// A pair on one scale: its numbers, what the test says of them, and whether a difference lies within the margin there.
+// The unadjusted test of a pair on one scale.
 struct Trial {
   PairData numbers;
   UnadjustedTest outcome;
-  bool is_same = false;
+  bool is_same = false;  // the difference lies within the margin on this scale
 };
+
+// Keeps the interval of proportions within what their difference can be, and adds one where all trials had the same
+// outcome. Other values that are all equal have no interval.
+void settle_interval(const MetricSamples& samples, const PairData& numbers, double alpha, UnadjustedTest& outcome) {
+  std::optional<Interval>& interval = outcome.interval;
+  if (!is_proportion(samples)) {
+    if (numbers.are_all_equal) interval.reset();
+    return;
+  }
+  if (interval) interval = Interval{std::max(-1.0, interval->low), std::min(1.0, interval->high)};
+  const SummaryStatistics &first = numbers.of_first, &second = numbers.of_second;
+  if (first.sd == 0 && second.sd == 0 && numbers.are_all_equal && !interval)
+    interval = newcombe_interval({.share = first.mean, .n = static_cast<double>(first.n)},
+                                 {.share = second.mean, .n = static_cast<double>(second.n)}, alpha);
+}
+
+// Returns the averages that a table shows: by ranks the medians, because one huge value could make a mean.
+std::pair<double, double> shown_averages(const Method& method, const PairData& numbers) {
+  if (method.by != By::ranks) return {numbers.of_first.mean, numbers.of_second.mean};
+  return {describe_values(numbers.first).median, describe_values(numbers.second).median};
+}
+
+// Returns the margin on the scale of the test. A pair with infinite values has no relative margin.
+double margin_of_trial(const MetricSamples& samples, const AnalysisPlan& plan, const Trial& trial, bool takes_logs,
+                       std::pair<double, double> averages) {
+  if (is_proportion(samples)) return plan.margin;
+  if (takes_logs || is_log_scale(samples)) return std::log1p(plan.margin);
+  if (trial.numbers.infinity_substitute > 0) return std::max(samples.absolute_margin, 0.0);
+  const double smaller = std::min(std::abs(averages.first), std::abs(averages.second));
+  return std::max(samples.absolute_margin, plan.margin * smaller);
+}
+
+// Returns whether the interval of a test lies within the margin, up to rounding. A test without an interval, since its
+// values have no spread, is judged by its estimate.
+bool lies_within(const UnadjustedTest& outcome, double margin) {
+  const Interval interval = outcome.interval.value_or(Interval{outcome.estimate, outcome.estimate});
+  return interval.low >= -margin * (1 + 1e-9) && interval.high <= margin * (1 + 1e-9);
+}
+
+void restore_infinities(const PairData& numbers, UnadjustedTest& outcome) {
+  outcome.estimate = numbers.restore_infinity(outcome.estimate);
+  if (!outcome.interval) return;
+  outcome.interval->low = numbers.restore_infinity(outcome.interval->low);
+  outcome.interval->high = numbers.restore_infinity(outcome.interval->high);
+}
+
+// Returns whether failures that are more frequent than the margin could be missing by chance: equal values, and few
+// values that differ by one number, say nothing of failures that are rarer than so many values can show.
+bool may_hide_failures(const AnalysisPlan& plan, const Trial& trial, double alpha) {
+  const std::optional<Interval>& interval = trial.outcome.interval;
+  const PairData& numbers = trial.numbers;
+  const bool are_equal = interval ? interval->low == 0 && interval->high == 0 : numbers.are_all_equal;
+  const bool has_width = interval && interval->low < interval->high;
+  if (!are_equal && (has_width || trial.outcome.p < alpha)) return false;
+  const double rare = plan.margin > 0 ? plan.margin : AnalysisPlan().margin;  // an absolute margin is none of shares
+  return 1 - wilson_interval(1, std::min(numbers.of_first.n, numbers.of_second.n), alpha).low > rare;
+}
+
+// Returns whether the means differ by less than the margin, too, where ranks decide: ranks would not see that rare
+// values are far apart, nor ratios in blocks that the medians shown are.
+bool do_means_lie_within(const Method& method, const PairData& numbers, double alpha, double margin) {
+  if (method.by != By::ranks) return true;
+  const Method& by_means = method.is_by_difference ? paired_t : unpaired_t;
+  return lies_within(by_means.test(numbers, alpha), margin);
+}
 
 Trial trial_of(const MetricSamples& samples, const AnalysisPlan& plan, const Pair& pair, bool takes_logs,
                double alpha) {
-  Trial trial{.numbers = make_pair_data(*pair.a, *pair.b, samples, pair.method->is_by_difference, takes_logs),
-              .outcome = {}};
-  const PairData& numbers = trial.numbers;
-  const SummaryStatistics &first = numbers.of_first, &second = numbers.of_second;
-  trial.outcome = pair.method->test(numbers, alpha);
-  std::optional<Interval>& interval = trial.outcome.interval;
-  if (is_proportion(samples)) {
-    if (interval) interval = Interval{std::max(-1.0, interval->low), std::min(1.0, interval->high)};
-    if (first.sd == 0 && second.sd == 0 && numbers.are_all_equal && !interval)
-      interval = newcombe_interval(first.mean, first.n, second.mean, second.n, alpha);
-  } else if (numbers.are_all_equal) {
-    interval.reset();
-  }
-  // As shown: a mean may be that of one huge value.
-  const auto centre = [&](const std::vector<double>& values, const SummaryStatistics& its) {
-    return pair.method->by == By::ranks ? describe_values(values).median : its.mean;
-  };
-  const double one = centre(numbers.first, first), other = centre(numbers.second, second);
-  const double relative = numbers.infinity_substitute > 0 ? 0 : plan.margin * std::min(std::abs(one), std::abs(other));
-  const double margin = is_proportion(samples)                ? plan.margin
-                        : takes_logs || is_log_scale(samples) ? std::log1p(plan.margin)
-                                                              : std::max(samples.absolute_margin, relative);
-  const auto lies_within = [&](const UnadjustedTest& outcome) {  // values without spread have their difference alone
-    const Interval held = outcome.interval.value_or(Interval{outcome.estimate, outcome.estimate});
-    return held.low >= -margin * (1 + 1e-9) && held.high <= margin * (1 + 1e-9);  // up to rounding
-  };
-  const Method& by_means = pair.method->is_by_difference ? paired_t : unpaired_t;
-  const bool is_small = lies_within(trial.outcome);
-  trial.outcome.estimate = numbers.restore_infinity(trial.outcome.estimate);
-  if (interval)
-    interval->low = numbers.restore_infinity(interval->low), interval->high = numbers.restore_infinity(interval->high);
-  // Equal values, and few that differ by one number, say nothing of failures that are rarer than so many can show.
-  const bool are_equal = interval ? interval->low == 0 && interval->high == 0 : numbers.are_all_equal;
-  const bool has_width = interval && interval->low < interval->high;
-  const double rare = plan.margin > 0 ? plan.margin : AnalysisPlan().margin;  // an absolute margin is none of shares
-  const bool can_fail = (are_equal || (!has_width && trial.outcome.p >= alpha)) &&
-                        1 - wilson_interval(1, std::min(first.n, second.n), alpha).low > rare;
-  // Ranks alone would not see that rare values are far apart, nor ratios in blocks that the medians shown are.
-  trial.is_same = is_small && !can_fail && lies_within({.estimate = one - other}) &&
-                  (pair.method->by != By::ranks || lies_within(by_means.test(numbers, alpha)));
+  const Method& method = *pair.method;
+  Trial trial{.numbers = make_pair_data(*pair.a, *pair.b, samples, method.is_by_difference, takes_logs), .outcome = {}};
+  trial.outcome = method.test(trial.numbers, alpha);
+  settle_interval(samples, trial.numbers, alpha, trial.outcome);
+  const auto [first, second] = shown_averages(method, trial.numbers);
+  const double margin = margin_of_trial(samples, plan, trial, takes_logs, {first, second});
+  const bool is_small = lies_within(trial.outcome, margin);
+  restore_infinities(trial.numbers, trial.outcome);
+  trial.is_same = is_small && !may_hide_failures(plan, trial, alpha) &&
+                  lies_within({.estimate = first - second}, margin) &&
+                  do_means_lie_within(method, trial.numbers, alpha, margin);
   return trial;
 }
 
-std::optional<Dominance> effect_of(const MetricSamples& samples, const Pair& pair, const PairData& numbers) {
+std::optional<Dominance> dominance_of(const MetricSamples& samples, const Pair& pair, const PairData& numbers) {
   const bool has_differences = pair.method->is_by_difference;
   const std::vector<double>& first = has_differences ? numbers.differences : numbers.first;
   std::vector<double> second = has_differences ? std::vector{0.0} : numbers.second;
@@ -188,12 +242,16 @@ std::optional<Dominance> effect_of(const MetricSamples& samples, const Pair& pai
                                           : Dominance{smaller / pairs, larger / pairs};
 }
 
-DeterministicResult fact_of(const MetricSamples& samples, const AnalysisPlan& plan, const Pair& pair) {
-  double one = values_of(*pair.a).front(), other = values_of(*pair.b).front();
-  if (is_log_scale(samples)) one = std::exp(one), other = std::exp(other);
-  return {is_worse_beyond_margin(samples, plan, one, other)   ? Verdict::worse
-          : is_worse_beyond_margin(samples, plan, other, one) ? Verdict::better
-                                                              : Verdict::equivalent};
+DeterministicResult deterministic_result(const MetricSamples& samples, const AnalysisPlan& plan, const Pair& pair) {
+  double first = values_of(*pair.a).front();
+  double second = values_of(*pair.b).front();
+  if (is_log_scale(samples)) {
+    first = std::exp(first);
+    second = std::exp(second);
+  }
+  if (is_worse_beyond_margin(samples, plan, first, second)) return {Verdict::worse};
+  if (is_worse_beyond_margin(samples, plan, second, first)) return {Verdict::better};
+  return {Verdict::equivalent};
 }
 
 // Returns the comparison of a pair, without a result.
@@ -205,35 +263,66 @@ Comparison comparison_of(const Pair& pair) {
           .scale = pair.scale};
 }
 
-// The verdict of p, with an amount that cannot refute it. The pair's groups have the same blocks.
+// Returns about how many values would find a difference as large as here with a chance of 0.8, by the root law of
+// every test here; 0 if that is not known, because a large p says nothing of how large the difference is.
+int required_n(const Pair& pair, const UnadjustedTest& outcome, double adjusted_p, double alpha) {
+  const double enough = std::ceil(pair.n * std::pow((critical_z(alpha) + critical_z(0.4)) / critical_z(outcome.p), 2));
+  return adjusted_p < 0.5 && enough > pair.n && enough < 1e6 ? static_cast<int>(enough) : 0;
+}
+
+// Sets verdict and interval of a difference that p decides. The estimate and the interval cannot refute it.
+void set_difference(const MetricSamples& samples, int direction, Comparison& comparison, TestResult& tested,
+                    std::optional<Interval>& interval) {
+  const double null = null_value(comparison.scale);
+  tested.verdict = (direction > 0) == (samples.better == Better::larger) ? Verdict::better : Verdict::worse;
+  if (comparison.estimate && (comparison.estimate->value - null) * direction <= 0) comparison.estimate.reset();
+  if (interval && direction > 0 && interval->low <= null) {
+    interval->low = null;
+    interval->excludes_low = true;
+  }
+  if (interval && direction < 0 && interval->high >= null) {
+    interval->high = null;
+    interval->excludes_high = true;
+  }
+}
+
+// Returns the interval of a pair that p does not decide: the null value lies within.
+std::optional<Interval> open_interval(const std::optional<Interval>& interval, double null, bool is_same) {
+  if (!interval) return {};
+  const Interval wide{std::min(null, interval->low), std::max(null, interval->high)};
+  if (!is_same && wide.low >= wide.high) return {};  // most values are equal, but not all
+  return wide;
+}
+
+// Judges a pair whose groups have the same blocks: the verdict of p, with an estimate that cannot refute it.
 Comparison judged_on_common(const MetricSamples& samples, const AnalysisPlan& plan, const Pair& pair, double tests) {
   Comparison comparison = comparison_of(pair);
-  if (pair.open) {
-    comparison.result = *pair.open;
+  if (pair.not_tested) {
+    comparison.result = *pair.not_tested;
     return comparison;
   }
   const bool is_ratio = pair.scale == EffectScale::ratio, takes_logs = is_ratio && !is_log_scale(samples);
-  const bool are_means = pair.method->by == By::means && !is_proportion(samples);
-  const double alpha = plan.significance / tests, none = null_value(pair.scale);
+  const double alpha = plan.significance / tests;
   const Trial trial = trial_of(samples, plan, pair, takes_logs, alpha);
-  constexpr double enough_solved = 20;  // of fewer, an interval of costs with heavy tails misses too often
-  const bool are_enough = trial.numbers.solved_targets >= enough_solved;
-  const bool is_same = are_enough && (trial.is_same || (takes_logs && samples.absolute_margin > 0 &&
-                                                        trial_of(samples, plan, pair, false, alpha).is_same));
   const UnadjustedTest& outcome = trial.outcome;
   const auto shown = [&](double value) { return is_ratio ? std::exp(value) : value; };
   if (std::isfinite(outcome.estimate)) comparison.estimate = EffectEstimate{shown(outcome.estimate)};
-  if (pair.is_fact()) {
-    comparison.result = fact_of(samples, plan, pair);
+  if (pair.are_both_deterministic()) {
+    comparison.result = deterministic_result(samples, plan, pair);
     return comparison;
   }
+  constexpr double enough_solved = 20;  // with fewer, an interval of costs with heavy tails misses too often
+  const bool are_enough = trial.numbers.solved_targets >= enough_solved;
+  const bool is_same = are_enough && (trial.is_same || (takes_logs && samples.absolute_margin > 0 &&
+                                                        trial_of(samples, plan, pair, false, alpha).is_same));
   TestResult tested{.adjusted_p = std::min(1.0, outcome.p * tests),
-                    .dominance = effect_of(samples, pair, trial.numbers),
+                    .dominance = dominance_of(samples, pair, trial.numbers),
                     .test = pair.method->name,
                     .n = pair.n};
   const bool is_decided = tested.adjusted_p < plan.significance;
+  const bool are_means = pair.method->by == By::means && !is_proportion(samples);
   if (are_means && !is_log_scale(samples)) tested.hedges_g = hedges_g(trial.numbers.of_first, trial.numbers.of_second);
-  // Of logarithms p itself would be that of few.
+  // With logarithms even an undecided p would be that of few values.
   if (are_means && (is_log_scale(samples) || is_same || is_decided) &&
       (is_dominated(*pair.a) || is_dominated(*pair.b))) {
     comparison.result = NotTested{.reason = NotTestedReason::dominated, .n = pair.n};
@@ -242,22 +331,12 @@ Comparison judged_on_common(const MetricSamples& samples, const AnalysisPlan& pl
   std::optional<Interval> interval;
   if (outcome.interval && are_enough) interval = Interval{shown(outcome.interval->low), shown(outcome.interval->high)};
   if (is_decided) {
-    const int direction = outcome.direction;
-    tested.verdict = (direction > 0) == (samples.better == Better::larger) ? Verdict::better : Verdict::worse;
     tested.is_below_margin = is_same;
-    if (comparison.estimate && (comparison.estimate->value - none) * direction <= 0) comparison.estimate.reset();
-    if (interval && direction > 0 && interval->low <= none) interval->low = none, interval->excludes_low = true;
-    if (interval && direction < 0 && interval->high >= none) interval->high = none, interval->excludes_high = true;
+    set_difference(samples, outcome.direction, comparison, tested, interval);
   } else {
     tested.verdict = is_same ? Verdict::equivalent : Verdict::inconclusive;
-    if (interval) interval = Interval{std::min(none, interval->low), std::max(none, interval->high)};
-    if (!is_same && interval && interval->low >= interval->high) interval.reset();  // most are equal, but not all
-    // With a chance of 0.8, if the difference is as large as here, by the root law of every test here. A larger p says
-    // nothing of how large it is.
-    const double enough =
-        std::ceil(pair.n * std::pow((critical_z(alpha) + critical_z(0.4)) / critical_z(outcome.p), 2));
-    if (!is_same && tested.adjusted_p < 0.5 && enough > pair.n && enough < 1e6)
-      tested.required_n = static_cast<int>(enough);
+    interval = open_interval(interval, null_value(pair.scale), is_same);
+    if (!is_same) tested.required_n = required_n(pair, outcome, tested.adjusted_p, alpha);
   }
   if (comparison.estimate) comparison.estimate->interval = interval;
   comparison.result = tested;
@@ -293,68 +372,93 @@ std::optional<NotTestedReason> reason_of(const Method& method, const Group& a, c
   return first;
 }
 
-// Groups whose values rise, so that no pair sorts them again; none where values belong together by their places.
-std::vector<Group> rising_groups(const MetricSamples& samples) {
+// Returns the groups with ascending values, so that no pair sorts them again; empty where values belong together by
+// their places.
+std::vector<Group> sorted_groups(const MetricSamples& samples) {
   if (samples.is_paired) return {};
   std::vector<Group> groups = samples.groups;
   for (Group& group : groups)
-    if (auto* const its = std::get_if<Sample>(&group.sample)) std::ranges::sort(its->values);
+    if (auto* const sample = std::get_if<Sample>(&group.sample)) std::ranges::sort(sample->values);
   return groups;
 }
 
-// The pairs that the plan asks for. Throws std::invalid_argument, which names all groups, if the control is none.
-std::vector<Pair> pairs_of(const MetricSamples& samples, const std::vector<Group>& rising, const AnalysisPlan& plan) {
-  if (!plan.control.empty() && index_of(samples, plan.control) == samples.groups.size()) {
-    std::vector<std::string> names;
-    for (const Group& group : samples.groups) names.push_back(group.name);
-    const std::string unknown = base::unknown_name("label", plan.control, names);
-    throw std::invalid_argument(fmt::format("--control: {}", base::front(unknown, 1000)));
-  }
+EffectScale estimate_scale(const MetricSamples& samples, const Method& method) {
+  const bool are_logs = is_log_scale(samples) || method.by == By::ranks;
+  if (effect_scale(samples) == EffectScale::ratio && !are_logs) return EffectScale::difference;
+  return effect_scale(samples);
+}
+
+Pair pair_of(const MetricSamples& samples, const AnalysisPlan& plan, std::size_t first, std::size_t second) {
+  const Group &a = samples.groups[first], &b = samples.groups[second];
+  Pair pair{.a = &a, .b = &b, .method = &method_of(samples, plan, a, b), .first_index = first, .second_index = second};
+  pair.scale = estimate_scale(samples, *pair.method);
+  const auto [m, n] = common_sizes(a, b);
+  const std::size_t few = std::min(m, n), many = std::max(m, n);
+  pair.n = static_cast<int>(few > 0 && pair.has_deterministic() ? many : few);
+  if (const auto reason = reason_of(*pair.method, a, b, samples.may_hold_copies))
+    pair.not_tested = NotTested{.reason = *reason, .n = pair.n};
+  else if (pair.n < samples.min_blocks)
+    pair.not_tested =
+        NotTested{.reason = NotTestedReason::sample_too_small, .n = pair.n, .required_n = samples.min_blocks};
+  std::size_t differences = many;
+  if (is_constant(b)) differences = m;
+  if (is_constant(a)) differences = n;
+  pair.smallest_p = pair.n == 0 ? 1 : pair.method->smallest_p(m, n, differences);
+  return pair;
+}
+
+// Throws std::invalid_argument, which names all groups, if the plan's control is no group.
+void require_control(const MetricSamples& samples, const AnalysisPlan& plan) {
+  if (plan.control.empty() || index_of(samples, plan.control) < samples.groups.size()) return;
+  std::vector<std::string> names;
+  for (const Group& group : samples.groups) names.push_back(group.name);
+  const std::string message = base::unknown_name("label", plan.control, names);
+  throw std::invalid_argument(fmt::format("--control: {}", base::front(message, 1000)));
+}
+
+// Returns the pairs that the plan asks for. `sorted` has the groups with ascending values, or is empty.
+std::vector<Pair> pairs_of(const MetricSamples& samples, const std::vector<Group>& sorted, const AnalysisPlan& plan) {
+  require_control(samples, plan);
+  const auto is_control = [&](std::size_t group) { return samples.groups[group].name == plan.control; };
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < samples.groups.size(); ++i) {
     for (std::size_t j = i + 1; j < samples.groups.size(); ++j) {
-      const Group *const a = &samples.groups[i], *const b = &samples.groups[j];
-      if (!plan.control.empty() && a->name != plan.control && b->name != plan.control) continue;
-      Pair& pair = pairs.emplace_back(
-          Pair{.a = a, .b = b, .method = &method_of(samples, plan, *a, *b), .first_index = i, .second_index = j});
-      if (pair.method->by == By::ranks && !rising.empty()) {
-        pair.a = &rising[i];
-        pair.b = &rising[j];
-      }
-      const bool has_differences =
-          effect_scale(samples) == EffectScale::ratio && pair.method->by != By::ranks && !is_log_scale(samples);
-      pair.scale = has_differences ? EffectScale::difference : effect_scale(samples);
-      const auto [m, n] = common_sizes(*a, *b);
-      const std::size_t few = std::min(m, n), many = std::max(m, n);
-      pair.n = static_cast<int>(few > 0 && pair.has_one() ? many : few);
-      if (const auto why = reason_of(*pair.method, *a, *b, samples.may_hold_copies))
-        pair.open = NotTested{.reason = *why, .n = pair.n};
-      else if (pair.n < samples.min_blocks)
-        pair.open =
-            NotTested{.reason = NotTestedReason::sample_too_small, .n = pair.n, .required_n = samples.min_blocks};
-      const std::size_t differences = is_constant(*a) ? n : is_constant(*b) ? m : many;
-      pair.smallest_p = pair.n == 0 ? 1 : pair.method->smallest_p(m, n, differences);
+      if (!plan.control.empty() && !is_control(i) && !is_control(j)) continue;
+      Pair& pair = pairs.emplace_back(pair_of(samples, plan, i, j));
+      if (pair.method->by != By::ranks || sorted.empty()) continue;
+      pair.a = &sorted[i];
+      pair.b = &sorted[j];
     }
   }
   return pairs;
 }
 
-// How many pairs data of this size can decide, before any p is known: those that cannot leave, the least able first.
+// Returns the smallest size of both groups with which the test of this pair can reach the level.
+int smallest_testable_n(const Pair& pair, double level) {
+  int n = 2;
+  const auto smallest_p = [&] {
+    const auto size = static_cast<std::size_t>(n);
+    return pair.method->smallest_p(pair.has_deterministic() ? 1 : size, size, size);
+  };
+  while (smallest_p() >= level) ++n;
+  return n;
+}
+
+// Returns the size of the family: the number of pairs that could reach the level with samples of these sizes, which is
+// decided before any p is known. Pairs that could not leave the family, the least able first.
 std::size_t testable(std::vector<std::vector<Pair>>& members, double significance) {
   std::vector<Pair*> family;
   for (std::vector<Pair>& pairs : members)
     for (Pair& pair : pairs)
-      if (!pair.open && !pair.is_fact()) family.push_back(&pair);
+      if (!pair.not_tested && !pair.are_both_deterministic()) family.push_back(&pair);
   while (!family.empty()) {
     const double level = significance / static_cast<double>(family.size());
     const double worst = (*std::ranges::max_element(family, {}, &Pair::smallest_p))->smallest_p;
     if (worst < level) break;
     std::erase_if(family, [&](Pair* pair) {
       if (pair->smallest_p < worst) return false;
-      std::size_t n = 2;
-      while (pair->method->smallest_p(pair->has_one() ? 1 : n, n, n) >= level) ++n;
-      pair->open =
-          NotTested{.reason = NotTestedReason::sample_too_small, .n = pair->n, .required_n = static_cast<int>(n)};
+      pair->not_tested = NotTested{
+          .reason = NotTestedReason::sample_too_small, .n = pair->n, .required_n = smallest_testable_n(*pair, level)};
       return true;
     });
   }
@@ -366,12 +470,6 @@ std::size_t testable(std::vector<std::vector<Pair>>& members, double significanc
 std::string_view name_of(Verdict verdict) {
   constexpr std::array<std::string_view, 5> names{"better", "worse", "same", "not decided", "not tested"};
   return names[static_cast<std::size_t>(verdict)];
-}
-
-Verdict verdict_of(const Comparison& comparison) {
-  if (const auto* const tested = std::get_if<TestResult>(&comparison.result)) return tested->verdict;
-  if (const auto* const fact = std::get_if<DeterministicResult>(&comparison.result)) return fact->verdict;
-  return is_not_tested(comparison, NotTestedReason::dominated) ? Verdict::inconclusive : Verdict::not_tested;
 }
 
 NotTestedReason not_tested_reason(ExclusionReason reason) {
@@ -390,9 +488,15 @@ NotTestedReason not_tested_reason(ExclusionReason reason) {
   return NotTestedReason::not_comparable;
 }
 
+Verdict verdict_of(const Comparison& comparison) {
+  if (const auto* const tested = std::get_if<TestResult>(&comparison.result)) return tested->verdict;
+  if (const auto* const exact = std::get_if<DeterministicResult>(&comparison.result)) return exact->verdict;
+  return is_not_tested(comparison, NotTestedReason::dominated) ? Verdict::inconclusive : Verdict::not_tested;
+}
+
 bool is_not_tested(const Comparison& comparison, NotTestedReason reason) {
-  const auto* const open = std::get_if<NotTested>(&comparison.result);
-  return open != nullptr && open->reason == reason;
+  const auto* const not_tested = std::get_if<NotTested>(&comparison.result);
+  return not_tested != nullptr && not_tested->reason == reason;
 }
 
 bool all_values_equal(const Comparison& comparison) {
@@ -403,26 +507,40 @@ bool all_values_equal(const Comparison& comparison) {
 }
 
 bool is_dominated(const Group& group) {
-  if (const Sample* const its = sample_of(group); its && its->effective_n > 0)
-    return its->solved_targets < 4 || its->effective_n < std::min(4.0, static_cast<double>(its->values.size()) / 2);
+  if (const Sample* const sample = sample_of(group); sample && sample->effective_n > 0)
+    return sample->solved_targets < 4 ||
+           sample->effective_n < std::min(4.0, static_cast<double>(sample->values.size()) / 2);
   double largest = 0, sum = 0;
-  for (const double value : values_of(group)) largest = std::max(largest, std::abs(value)), sum += std::abs(value);
+  for (const double value : values_of(group)) {
+    largest = std::max(largest, std::abs(value));
+    sum += std::abs(value);
+  }
   return largest > sum / 2;
 }
 
 bool is_difference(Verdict verdict) { return verdict == Verdict::better || verdict == Verdict::worse; }
 
 Verdict reversed(Verdict verdict) {
-  return verdict == Verdict::better ? Verdict::worse : verdict == Verdict::worse ? Verdict::better : verdict;
+  switch (verdict) {
+    case Verdict::better:
+      return Verdict::worse;
+    case Verdict::worse:
+      return Verdict::better;
+    case Verdict::equivalent:
+    case Verdict::inconclusive:
+    case Verdict::not_tested:
+      break;
+  }
+  return verdict;
 }
 
 std::set<std::string> beaten_solvers(const std::vector<Comparison>& comparisons) {
-  std::set<std::string> losers;
+  std::set<std::string> beaten;
   for (const Comparison& comparison : comparisons) {
     const Verdict verdict = verdict_of(comparison);
-    if (is_difference(verdict)) losers.insert(verdict == Verdict::better ? comparison.second : comparison.first);
+    if (is_difference(verdict)) beaten.insert(verdict == Verdict::better ? comparison.second : comparison.first);
   }
-  return losers;
+  return beaten;
 }
 
 std::vector<Comparison> compare(const MetricSamples& samples, const AnalysisPlan& plan, std::size_t metrics) {
@@ -431,10 +549,10 @@ std::vector<Comparison> compare(const MetricSamples& samples, const AnalysisPlan
 
 std::vector<std::vector<Comparison>> compare(const std::vector<FamilyMember>& family, std::size_t metrics) {
   std::vector<std::vector<Pair>> members;
-  std::vector<std::vector<Group>> rising;
-  for (const FamilyMember& member : family) rising.push_back(rising_groups(*member.samples));
+  std::vector<std::vector<Group>> sorted;
+  for (const FamilyMember& member : family) sorted.push_back(sorted_groups(*member.samples));
   for (std::size_t i = 0; i < family.size(); ++i)
-    members.push_back(pairs_of(*family[i].samples, rising[i], *family[i].plan));
+    members.push_back(pairs_of(*family[i].samples, sorted[i], *family[i].plan));
   const auto shares = static_cast<double>(metrics);
   const double significance = family.front().plan->significance / shares;
   const double tests = shares * static_cast<double>(std::max<std::size_t>(1, testable(members, significance)));
@@ -462,16 +580,19 @@ void set_group_indices(std::vector<Comparison>& comparisons, const MetricSamples
 Comparison better_first(Comparison comparison, std::string_view control, bool is_second_ahead) {
   const Verdict verdict = verdict_of(comparison);
   const bool is_behind = is_difference(verdict) ? verdict == Verdict::worse : is_second_ahead;
-  if (control.empty() ? !is_behind : comparison.first != control) return comparison;
+  const bool is_in_order = control.empty() ? !is_behind : comparison.first != control;
+  if (is_in_order) return comparison;
   std::swap(comparison.first, comparison.second);
   std::swap(comparison.first_index, comparison.second_index);
-  if (auto& amount = comparison.estimate) {
-    const auto end = [&](double value) { return comparison.scale == EffectScale::ratio ? 1 / value : 0 - value; };
-    amount->value = end(amount->value);
-    if (const auto ends = amount->interval)
-      amount->interval = Interval{end(ends->high), end(ends->low), ends->excludes_high, ends->excludes_low};
+  if (auto& estimate = comparison.estimate) {
+    const auto mirrored = [&](double value) { return comparison.scale == EffectScale::ratio ? 1 / value : 0 - value; };
+    estimate->value = mirrored(estimate->value);
+    if (const auto interval = estimate->interval)
+      estimate->interval =
+          Interval{mirrored(interval->high), mirrored(interval->low), interval->excludes_high, interval->excludes_low};
   }
-  if (auto* const fact = std::get_if<DeterministicResult>(&comparison.result)) fact->verdict = reversed(fact->verdict);
+  if (auto* const exact = std::get_if<DeterministicResult>(&comparison.result))
+    exact->verdict = reversed(exact->verdict);
   if (auto* const tested = std::get_if<TestResult>(&comparison.result)) {
     tested->verdict = reversed(tested->verdict);
     if (tested->dominance) std::swap(tested->dominance->better, tested->dominance->worse);
@@ -480,12 +601,14 @@ Comparison better_first(Comparison comparison, std::string_view control, bool is
   return comparison;
 }
 
-bool is_worse_beyond_margin(const MetricSamples& samples, const AnalysisPlan& plan, double one, double other) {
-  if (effect_scale(samples) == EffectScale::ratio)
-    one = std::max(one, floor_of(samples)), other = std::max(other, floor_of(samples));
-  const double relative = plan.margin * (is_proportion(samples) ? 1 : std::min(std::abs(one), std::abs(other)));
-  const double loss = samples.better == Better::smaller ? one - other : other - one;
-  return loss > std::max(samples.absolute_margin, relative) + samples.resolution;
+bool is_worse_beyond_margin(const MetricSamples& samples, const AnalysisPlan& plan, double value, double other) {
+  if (effect_scale(samples) == EffectScale::ratio) {
+    value = std::max(value, floor_of(samples));
+    other = std::max(other, floor_of(samples));
+  }
+  const double unit = is_proportion(samples) ? 1 : std::min(std::abs(value), std::abs(other));
+  const double loss = samples.better == Better::smaller ? value - other : other - value;
+  return loss > std::max(samples.absolute_margin, plan.margin * unit) + samples.resolution;
 }
 
 }  // namespace ikbench::judge

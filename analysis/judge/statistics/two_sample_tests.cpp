@@ -24,7 +24,8 @@ constexpr std::size_t exact_unpaired = 100, exact_paired = 1000;
 double number(auto count) { return static_cast<double>(count); }
 int sign_of(double value) { return (value > 0) - (value < 0); }
 
-// Student's t of an estimate with this standard error. Without one, p is the smallest that permutations give.
+// Returns Student's t test of an estimate with this standard error. If the error is 0, p is the smallest that
+// permutations give.
 UnadjustedTest t_of(double estimate, double error, double df, double smallest_p, double alpha) {
   UnadjustedTest outcome{.estimate = estimate, .direction = sign_of(estimate)};
   if (error == 0) {
@@ -38,12 +39,13 @@ UnadjustedTest t_of(double estimate, double error, double df, double smallest_p,
   return outcome;
 }
 
-// Satterthwaite's degrees of freedom of a sum of two estimated variances; a single value has none.
+// Returns Satterthwaite's degrees of freedom of a sum of two estimated variances. A single value has none.
 double df_of(double u, double m, double v, double n) {
   return (u + v) * (u + v) / (u * u / std::max(1.0, m - 1) + v * v / std::max(1.0, n - 1));
 }
 
-double two_sided_binomial(double k, double n) {  // at one half
+// Returns the two-sided p of `k` of `n` trials, where each succeeds with a chance of one half.
+double two_sided_binomial(double k, double n) {
   return n == 0 ? 1 : std::min(1.0, 2 * bm::cdf(bm::binomial(n, 0.5), std::min(k, n - k)));
 }
 
@@ -53,7 +55,7 @@ std::vector<double> sorted(Values values) {
   return order;
 }
 
-// Equal values share the mean of their ranks; 1 is the smallest.
+// The ranks of values from 1, the smallest. Equal values share the mean of their ranks.
 struct Ranks {
   std::vector<double> ranks;  // in the order of the values
   double tie_sum = 0;         // sum of t^3 - t over the ties
@@ -63,7 +65,7 @@ Ranks midranks(Values values) {
   const std::vector<IndexedValue> order = sorted_with_index(values);
   Ranks result{.ranks = std::vector<double>(values.size())};
   for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
-    end = first + 1;  // since a NaN does not equal itself
+    end = first + 1;  // not from `first`, since a NaN does not equal itself
     while (end < order.size() && order[end].first == order[first].first) ++end;
     for (std::size_t i = first; i < end; ++i) result.ranks[order[i].second] = number(first + 1 + end) / 2;
     const double ties = number(end - first);
@@ -72,14 +74,13 @@ Ranks midranks(Values values) {
   return result;
 }
 
-// The null distribution of a sum of ranks: exact if it has probabilities, by the sum times 1, or 2 where ties make
-// halves.
+// The null distribution of a sum of ranks.
 struct RankSum {
   double mean = 0, variance = 0;
-  std::vector<double> probabilities = {};
-  double times = 1;
+  std::vector<double> probabilities = {};  // exact, by the sum times `times`; empty: normal
+  double times = 1;                        // 2 where ties make halves
 
-  // Twice the tail on the side of the sum.
+  // Returns twice the tail on the side of the sum.
   double two_sided(double sum) const {
     if (probabilities.empty()) {
       const double distance = std::max(0.0, std::abs(sum - mean) - 0.5);
@@ -92,8 +93,8 @@ struct RankSum {
     return std::min(1.0, 2 * tail);
   }
 
-  // The largest r with P(sum - least < r) <= alpha / 2: an interval goes from the r-th smallest candidate to the r-th
-  // largest.
+  // Returns the largest r with P(sum - least < r) <= alpha / 2. A confidence interval goes from the r-th smallest
+  // candidate to the r-th largest.
   std::size_t critical(double least, double alpha) const {
     if (probabilities.empty()) {
       const double rank = std::floor(mean - least - critical_z(alpha) * std::sqrt(variance) + 0.5);
@@ -106,14 +107,15 @@ struct RankSum {
   }
 };
 
-// Of so many of the ranks, or, if that is 0, of any of them; all choices are equally likely.
+// Returns the null distribution of the sum of `chosen` ranks (Mann-Whitney), or of any subset if `chosen` is 0
+// (Wilcoxon). All choices are equally likely.
 RankSum sum_of(const Ranks& ranks, std::size_t chosen) {
   const double n = number(ranks.ranks.size()), m = number(chosen);
   RankSum sum{.mean = n * (n + 1) / 4, .variance = n * (n + 1) * (2 * n + 1) / 24 - ranks.tie_sum / 48};
   if (chosen > 0) sum = {m * (n + 1) / 2, m * (n - m) / 12 * (n + 1 - ranks.tie_sum / (n * (n - 1)))};
   if (ranks.ranks.size() > (chosen > 0 ? exact_unpaired : exact_paired)) return sum;
   sum.times = ranks.tie_sum > 0 ? 2 : 1;
-  // Of any, sums above the mean mirror those below.
+  // Sums of any subset above the mean mirror those below, so only half of them are needed.
   const auto most = static_cast<std::size_t>(sum.times * (chosen > 0 ? n * n : sum.mean));
   std::vector<std::vector<double>> ways(chosen + 1);  // by the number chosen, and the sum
   ways[0] = {1};
@@ -135,7 +137,7 @@ RankSum sum_of(const Ranks& ranks, std::size_t chosen) {
   return sum;
 }
 
-// Without ties the distribution is of the sizes alone, and is kept.
+// Returns the distribution for ranks without ties, which depends on the sizes only and is kept.
 const RankSum& without_ties(std::size_t n, std::size_t chosen) {
   thread_local std::map<std::pair<std::size_t, std::size_t>, RankSum> known;
   if (known.size() > 100) known.clear();
@@ -151,9 +153,9 @@ double two_sided(const Ranks& ranks, std::size_t chosen, double sum) {
   return sum_of(ranks, chosen).two_sided(sum);
 }
 
-// For each value of `own` less the shift, how many of the others are below it, equal ones half. Both are sorted.
-// Differences are held against the shift, which would vanish in a huge value. Sums of halves are exact, so nothing is
-// kept and read twice.
+// Counts for each value of `own` less the shift how many of the others are below that value, equal ones half, and
+// returns the summary of these counts. Both lists must be ascending. Differences are compared with the shift, because
+// the shift would vanish in a huge value. Sums of halves are exact, so no count is stored.
 SummaryStatistics placements(Values own, Values others, double shift) {
   std::size_t below = 0, up_to = 0;
   double first = 0, sum = 0, squares = 0;  // of distances to the first
@@ -170,17 +172,18 @@ SummaryStatistics placements(Values own, Values others, double shift) {
   return {.n = static_cast<int>(own.size()), .mean = first + sum / n, .sd = sd};
 }
 
-// Doubles in order as whole numbers; the function is its own inverse. Bisection of these ends at a double after at most
-// 64 steps, whatever the sizes: halving the values would stop beside it, or take a thousand steps down to a tiny one.
+// Maps the bits of doubles to whole numbers in the same order, and back. Bisection of these numbers ends at a double
+// after at most 64 steps, whatever the sizes. Halving the values would stop beside the double, or would take a thousand
+// steps down to a tiny one.
 std::int64_t in_order(std::int64_t bits) {
   return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits - 1 : bits;
 }
 std::int64_t index_of(double value) { return in_order(std::bit_cast<std::int64_t>(value)); }
 double value_at(std::int64_t place) { return std::bit_cast<double>(in_order(place)); }
 
-// Of all sums x_i + y_j, or only those with i <= j where y is x: the median, and the interval from the rank-th smallest
-// to the rank-th largest. The sums are not made: those up to a bound are counted, and the bound closes in, from one
-// sum to another.
+// Returns the median of all sums x_i + y_j, with the interval from the rank-th smallest to the rank-th largest. If y is
+// x, only sums with i <= j count. The sums are not stored: those up to a bound are counted, and the bound closes in
+// from one sum to another.
 UnadjustedTest of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std::size_t rank) {
   for (std::vector<double>* const values : {&x, &y})
     if (!std::ranges::is_sorted(*values)) std::ranges::sort(*values);
@@ -223,7 +226,7 @@ SummaryStatistics summarise(Values values) {
     shifted_mean += (value - shift) / n;
     largest = std::max(largest, std::abs(value));
   }
-  double squares = 0, rest = 0;  // the mean's rounding (Chan, Golub, LeVeque 1983)
+  double squares = 0, rest = 0;  // rest: rounding of the mean (Chan, Golub, LeVeque 1983)
   for (const double value : values) {
     const double deviation = (value - shift) - shifted_mean;
     squares += deviation * deviation;
@@ -238,7 +241,7 @@ std::vector<IndexedValue> sorted_with_index(Values values) {
   std::vector<IndexedValue> order;
   order.reserve(values.size());
   for (const double value : values) order.emplace_back(value, order.size());
-  // Two groups that rise, one after the other, are merged.
+  // Two ascending groups, one after the other, are merged.
   const auto end = std::ranges::is_sorted_until(order, {}, &IndexedValue::first);
   if (std::ranges::is_sorted(end, order.end(), {}, &IndexedValue::first))
     std::ranges::inplace_merge(order, end, {}, &IndexedValue::first);
@@ -258,7 +261,7 @@ double min_p_paired(std::size_t n) { return std::min(1.0, std::exp2(1 - number(n
 
 std::optional<Interval> quantile_interval(Values sorted, double share, double alpha) {
   const double n = number(sorted.size());
-  const bm::binomial below(n, share);  // how many values are; quantiles are rounded outwards
+  const bm::binomial below(n, share);  // number of values below the quantile; Boost rounds outwards
   const double low = bm::quantile(below, alpha / 2), high = bm::quantile(bm::complement(below, alpha / 2));
   if (high >= n || bm::cdf(below, low) > alpha / 2) return {};
   return Interval{sorted[static_cast<std::size_t>(low)], sorted[static_cast<std::size_t>(high)]};
@@ -290,7 +293,8 @@ UnadjustedTest rank_test(Values first, Values second, double alpha) {
   for (std::size_t i = second_rising.size(); i-- > 0;) negative.push_back(-second_rising[i]);
   const std::size_t rank = sum.critical(number(few) * number(few + 1) / 2, alpha);
   UnadjustedTest outcome = of_sums(first_rising, std::move(negative), false, rank);
-  // From an end of Mann-Whitney's as far as Brunner-Munzel reaches: to a difference, however large the largest is.
+  // Moves an end of Mann-Whitney's interval as far as Brunner-Munzel's test keeps the shift. The bisection ends at a
+  // double, however large the largest difference is.
   const auto reached = [&](double from, double beyond) {
     std::int64_t kept = index_of(from), out = index_of(beyond);
     for (auto next = std::midpoint(kept, out); next != kept; next = std::midpoint(kept, out))
@@ -324,8 +328,11 @@ UnadjustedTest signed_rank_test(Values differences, double alpha) {
   const double total = std::accumulate(ranks.ranks.begin(), ranks.ranks.end(), 0.0);
   double above = 0;
   auto rank = ranks.ranks.begin();
-  for (const double difference : differences)
-    if (difference != 0) above += difference > 0 ? *rank : 0, ++rank;
+  for (const double difference : differences) {
+    if (difference == 0) continue;
+    if (difference > 0) above += *rank;
+    ++rank;
+  }
   outcome.direction = sign_of(above - total / 2);
   outcome.p = two_sided(ranks, 0, std::min(above, total - above));
   return outcome;
@@ -356,18 +363,19 @@ Interval wilson_interval(double share, double n, double alpha) {
   return {share == 0 ? 0 : centre - half, share == 1 ? 1 : centre + half};
 }
 
-Interval newcombe_interval(double first, double m, double second, double n, double alpha, double phi) {
-  const Interval of_first = wilson_interval(first, m, alpha), of_second = wilson_interval(second, n, alpha);
+Interval newcombe_interval(const Proportion& first, const Proportion& second, double alpha, double phi) {
+  const Interval of_first = wilson_interval(first.share, first.n, alpha);
+  const Interval of_second = wilson_interval(second.share, second.n, alpha);
   const auto reach = [phi](double a, double b) { return std::sqrt(std::max(0.0, a * a - 2 * phi * a * b + b * b)); };
-  return {first - second - reach(first - of_first.low, of_second.high - second),
-          first - second + reach(of_first.high - first, second - of_second.low)};
+  return {first.share - second.share - reach(first.share - of_first.low, of_second.high - second.share),
+          first.share - second.share + reach(of_first.high - first.share, second.share - of_second.low)};
 }
 
 UnadjustedTest fisher(Values first, Values second, double alpha) {
   const double m = number(first.size()), n = number(second.size());
   const double seen = number(std::ranges::count(first, 1.0)), all = seen + number(std::ranges::count(second, 1.0));
-  // Tables by the first's successes: weights relative to the one that was seen, each from its neighbour. Boost's
-  // hypergeometric distribution takes a minute for groups of 20 000.
+  // The weights of all tables, by the successes of the first group, relative to the table that was seen. Each weight
+  // follows from its neighbour, because Boost's hypergeometric distribution takes a minute for groups of 20 000.
   const auto odds_of_next = [&](double x) { return (m - x) * (all - x) / ((x + 1) * (n - all + x + 1)); };
   double total = 1, as_rare = 1;
   const auto add = [&](double weight) {
@@ -382,12 +390,12 @@ UnadjustedTest fisher(Values first, Values second, double alpha) {
   return {.estimate = share - other,
           .p = std::min(1.0, as_rare / total),
           .direction = sign_of(share - other),
-          .interval = newcombe_interval(share, m, other, n, alpha)};
+          .interval = newcombe_interval({.share = share, .n = m}, {.share = other, .n = n}, alpha)};
 }
 
 UnadjustedTest mcnemar(Values first, Values second, double alpha) {
   const double n = number(first.size());
-  double a = 0, b = 0, c = 0;  // both, the first alone, the second alone
+  double a = 0, b = 0, c = 0;  // successes of both, of the first only, of the second only
   for (std::size_t i = 0; i < first.size(); ++i) {
     a += first[i] == 1 && second[i] == 1;
     b += first[i] == 1 && second[i] != 1;
@@ -399,7 +407,7 @@ UnadjustedTest mcnemar(Values first, Values second, double alpha) {
   return {.estimate = (b - c) / n,
           .p = two_sided_binomial(b, b + c),
           .direction = sign_of(b - c),
-          .interval = newcombe_interval((a + b) / n, n, (a + c) / n, n, alpha, phi)};
+          .interval = newcombe_interval({.share = (a + b) / n, .n = n}, {.share = (a + c) / n, .n = n}, alpha, phi)};
 }
 
 }  // namespace ikbench::judge
