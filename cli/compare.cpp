@@ -139,20 +139,24 @@ std::string not_tested_text(const show::ReportModel& answer, const JudgedMetric&
   return fmt::format("neither has {} any {}", judged.samples.quantity, answer.noun);
 }
 
+// Returns how the candidate relates to the baseline, in the middle of a sentence.
 const char* relation_text(const RegressionCheck& check) {
-  if (!check.worse.empty()) return "is worse than";
-  if (!check.better.empty()) return "is better than";
+  using enum RegressionOutcome;
+  if (check.has(worse)) return "is worse than";
+  if (check.has(better)) return "is better than";
   if (check.new_failures > 0) return "against";
-  if (!check.inconclusive.empty() || !check.not_tested.empty()) return "is not shown to be worse than";
-  if (!check.worse_below_margin.empty()) return "is not worse by more than the margin than";
+  if (check.has(inconclusive) || check.has(not_tested)) return "is not shown to be worse than";
+  if (check.has(worse_below_margin)) return "is not worse by more than the margin than";
   return "is not worse than";
 }
 
 // Returns "mine is worse than PSO: in solved and error." or "mine against PSO: new: 1 solve without an answer."
 std::string relation_sentence(const RegressionCheck& check, const std::string& candidate) {
   std::vector<std::string> parts;
-  if (!check.worse.empty()) parts.push_back("in " + show::listed(check.worse));
-  if (!check.better.empty()) parts.push_back((check.worse.empty() ? "in " : "better in ") + show::listed(check.better));
+  const std::vector<std::string> worse = check.quantities(RegressionOutcome::worse);
+  const std::vector<std::string> better = check.quantities(RegressionOutcome::better);
+  if (!worse.empty()) parts.push_back("in " + show::listed(worse));
+  if (!better.empty()) parts.push_back((worse.empty() ? "in " : "better in ") + show::listed(better));
   if (check.new_failures > 0)
     parts.push_back(fmt::format("new: {} without an answer", base::counted(check.new_failures, "solves")));
   return fmt::format("{} {} {}{}{}.", candidate, relation_text(check), check.baseline, parts.empty() ? "" : ": ",
@@ -166,19 +170,24 @@ std::string verdict_text(const RegressionCheck& check, const show::ReportModel& 
     return fmt::format("{} is not compared with {}: {}.", candidate, check.baseline,
                        not_tested_text(answer, check.judged.metrics[check.judged.primary]));
   std::string text = relation_sentence(check, candidate);
-  if (!check.worse_below_margin.empty())
-    text += fmt::format(" Worse by less than the margin: {}.", show::listed(check.worse_below_margin));
-  if (!check.inconclusive.empty()) text += fmt::format(" Not decided: {}.", show::listed(check.inconclusive));
+  if (check.has(RegressionOutcome::worse_below_margin))
+    text += fmt::format(" Worse by less than the margin: {}.",
+                        show::listed(check.quantities(RegressionOutcome::worse_below_margin)));
+  if (check.has(RegressionOutcome::inconclusive))
+    text += fmt::format(" Not decided: {}.", show::listed(check.quantities(RegressionOutcome::inconclusive)));
+  const std::vector<std::string> not_tested = check.quantities(RegressionOutcome::not_tested);
   show::NamesByPhrase untested;  // quantities by the reason
   for (const JudgedMetric& judged : check.judged.metrics) {
     const std::string& quantity = judged.samples.quantity;
-    if (std::ranges::count(check.not_tested, quantity) > 0) untested.add(not_tested_text(answer, judged), quantity);
+    if (std::ranges::count(not_tested, quantity) > 0) untested.add(not_tested_text(answer, judged), quantity);
   }
   if (!untested.entries.empty())
     text += fmt::format(" Not tested: {}.", fmt::join(untested.formatted("{1} ({0})"), "; "));
   std::vector<std::string> others;
-  if (!check.also_worse.empty()) others.push_back("worse in " + show::listed(check.also_worse));
-  if (!check.also_better.empty()) others.push_back("better in " + show::listed(check.also_better));
+  const std::vector<std::string> also_worse = check.quantities(RegressionOutcome::worse, false);
+  const std::vector<std::string> also_better = check.quantities(RegressionOutcome::better, false);
+  if (!also_worse.empty()) others.push_back("worse in " + show::listed(also_worse));
+  if (!also_better.empty()) others.push_back("better in " + show::listed(also_better));
   const char* const why = check.options.metrics.empty() ? "Not in the plan" : "Not asked for";
   if (!others.empty()) text += fmt::format(" {}: {}.", why, fmt::join(others, "; "));
   const std::vector<show::HeadlineQuestion> questions = show::headline_questions(answer);
@@ -293,15 +302,15 @@ base::OrderedJson make_json(const std::vector<RegressionCheck>& checks, int code
       else
         json[member] = value;
     }
-    json["worse"][label] = check.worse;
+    json["worse"][label] = check.quantities(RegressionOutcome::worse);
     json["newly_missing"][label] = check.new_failures;
     json["lost"][label] = check.newly_unsolved;
     json["won"][label] = check.newly_solved;
-    json["better"][label] = check.better;
-    json["also_worse"][label] = check.also_worse;
-    json["also_better"][label] = check.also_better;
-    json["undecided"][label] = check.inconclusive;
-    json["not_tested"][label] = check.not_tested;
+    json["better"][label] = check.quantities(RegressionOutcome::better);
+    json["also_worse"][label] = check.quantities(RegressionOutcome::worse, false);
+    json["also_better"][label] = check.quantities(RegressionOutcome::better, false);
+    json["undecided"][label] = check.quantities(RegressionOutcome::inconclusive);
+    json["not_tested"][label] = check.quantities(RegressionOutcome::not_tested);
   }
   if (const std::string same = identical_text(checks); !same.empty()) sentences.push_back(same);
   json["headline"] = fmt::format("{}", fmt::join(sentences, " "));

@@ -17,8 +17,9 @@ using namespace results;
 
 constexpr const char *now_label = "now", *before_label = "before";
 
-void refuse_other_task(const StudyResults& one, const StudyResults& other) {
-  const StudyDefinition &a = one.definition, &b = other.definition;
+// Throws std::invalid_argument, which names the first difference, if the candidate solved another task.
+void refuse_other_task(const StudyResults& baseline, const StudyResults& candidate) {
+  const StudyDefinition &a = baseline.definition, &b = candidate.definition;
   const std::pair<bool, const char*> differences[]{
       {a.robot != b.robot || a.arm != b.arm, "arms"},
       {a.path != b.path || a.points != b.points, "targets"},
@@ -32,11 +33,12 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
       {a.stop.tolerance != b.stop.tolerance || a.stop.angle_tolerance != b.stop.angle_tolerance, "tolerances"}};
   for (const auto& [differ, what] : differences)
     if (differ)
-      throw std::invalid_argument(fmt::format("not compared: {} has other {} than before", other.labels.front(), what));
+      throw std::invalid_argument(
+          fmt::format("not compared: {} has other {} than before", candidate.labels.front(), what));
 }
 
-// Of each of their sessions the one of ours of the same turn, which is a shard, if each turn of both began before the
-// next of either; a second is the least that times of sessions tell. None if they were not solved in turn.
+// Maps each session of the baseline to the candidate's session of the same round, which is a shard. Empty if the stores
+// were not solved in turn: each round of both must begin before the next one of either, in whole seconds.
 std::optional<std::map<int, int>> turns_of(const std::vector<Session>& ours, const std::vector<Session>& theirs) {
   if (ours.size() < 2 || ours.size() != theirs.size()) return {};
   const auto shard_of = [](const Session& session) {
@@ -53,7 +55,8 @@ std::optional<std::map<int, int>> turns_of(const std::vector<Session>& ours, con
   return turns;
 }
 
-// Of both stores, as solvers of one study. Takes their solves. Sessions of one turn are one; without turns all differ.
+// Returns both versions as solvers of one study, and takes their solves. Sessions of one round become one session. If
+// `turns` is empty, all sessions differ.
 StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std::map<int, int>& turns) {
   both.labels = {now_label, before_label};
   both.rejections = {};
@@ -74,7 +77,8 @@ StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std:
   return both;
 }
 
-// Of solves, whatever they are of. Where the machine decides who is too late, that is not counted.
+// Returns the shares of solves that gave any answer. If the load of the machine decides which solves are too late, late
+// ones count as answered.
 MetricSamples observed_answers(const StudyResults& study, bool machine_decides) {
   MetricSamples samples{
       .metric = "answers", .quantity = "answered", .better = Better::larger, .kind = Proportions{}, .is_paired = true};
@@ -88,18 +92,19 @@ MetricSamples observed_answers(const StudyResults& study, bool machine_decides) 
   return samples;
 }
 
-// Solved in time is one, too.
+// Returns whether a metric is made of times, as "solved in time" is, too.
 bool is_time(const JudgedMetric& judged) { return judged.samples.quantity_kind == QuantityKind::time; }
 
 bool is_of_answers(const JudgedMetric& judged) { return judged.samples.quantity_kind == QuantityKind::answered; }
 
-// Whether a metric decides: the plan names it, nobody left it out, and if it is of times, they have a margin.
+// Returns whether a metric decides: the plan names it, the user did not leave it out, and times have a margin.
 bool decides(const RegressionCheck& gate, const JudgedMetric& metric) {
   const std::string name = name_in_plan(gate.judged, metric);
   if (name.empty() || (is_time(metric) && !gate.counts_times())) return false;
   return gate.options.metrics.empty() || std::ranges::count(gate.options.metrics, name) > 0;
 }
 
+// Throws std::invalid_argument if the options ask for metrics or margins that the plan does not have.
 void refuse_what_the_plan_lacks(const RegressionOptions& options, const StudyDefinition& definition) {
   const std::vector<std::string> named = names_in_plan(definition);
   const std::vector<std::string>& asked = options.metrics.empty() ? named : options.metrics;
@@ -108,10 +113,10 @@ void refuse_what_the_plan_lacks(const RegressionOptions& options, const StudyDef
       throw std::invalid_argument(fmt::format(
           "--metric {}: the study's plan names {}; expected some of these, or name it in `metric` or `then` of [analysis]",
           name, base::listed(named)));
-  const std::vector<Metric> all = metrics_of(definition);
+  const std::vector<Metric> metrics = metrics_of(definition);
   const auto is_of_time = [&](const std::string& name) {
-    const auto its = std::ranges::find(all, name, &Metric::column);
-    return name == "time" || (its != all.end() && is_time_metric(*its));
+    const auto metric = std::ranges::find(metrics, name, &Metric::column);
+    return name == "time" || (metric != metrics.end() && is_time_metric(*metric));
   };
   const bool has_time = std::ranges::any_of(asked, is_of_time);
   if (options.time_margin && !has_time && options.metrics.empty())
@@ -122,15 +127,15 @@ void refuse_what_the_plan_lacks(const RegressionOptions& options, const StudyDef
     throw std::invalid_argument("--metric time: times decide by a margin of their own; add --time-margin 10%");
 }
 
-// How many answers are missing where before none was, or where now none is left. Chance may do that, too.
+// Returns how many answers are missing where before none was, or where now none is left. Chance may do that, too.
 int newly_missing(const JudgedMetric& judged) {
   const Descriptives &candidate = judged.descriptives.front(), &baseline = judged.descriptives.back();
   const bool is_new = is_of_answers(judged) && (baseline.mean == 1 || candidate.mean == 0);
   return is_new ? static_cast<int>(std::lround((baseline.mean - candidate.mean) * baseline.n)) : 0;
 }
 
-// Takes two labels of a study, without the records that figures draw.
-StudyResults of_two(const StudyResults& study, const std::string& candidate, const std::string& baseline) {
+// Returns the study with two of its labels, without the records for figures.
+StudyResults study_of_two(const StudyResults& study, const std::string& candidate, const std::string& baseline) {
   StudyResults two;
   static_cast<StoredStudy&>(two) = study;
   two.sessions = study.sessions;
@@ -141,16 +146,16 @@ StudyResults of_two(const StudyResults& study, const std::string& candidate, con
       solve.label = static_cast<int>(i);
       two.solves.push_back(std::move(solve));
     }
-    if (const auto its = study.rejections.find(label); its != study.rejections.end()) two.rejections.insert(*its);
-    if (const auto its = study.batch_timings.find(label); its != study.batch_timings.end())
-      two.batch_timings.insert(*its);
+    if (const auto found = study.rejections.find(label); found != study.rejections.end()) two.rejections.insert(*found);
+    if (const auto found = study.batch_timings.find(label); found != study.batch_timings.end())
+      two.batch_timings.insert(*found);
     if (std::ranges::count(study.stale_solves.solvers, label) > 0) two.stale_solves = study.stale_solves;
   }
   return two;
 }
 
-// Leaves the warnings that concern the two. The counts of a warning that names others, too, are those of the two alone.
-void keep_doubts(std::vector<Warning>& warnings, const StudyResults& two) {
+// Keeps the warnings that concern the two labels. A warning that also names others gets the counts of only these two.
+void keep_warnings(std::vector<Warning>& warnings, const StudyResults& two) {
   const auto is_other = [&](const std::string& name) { return std::ranges::count(two.labels, name) == 0; };
   const std::vector<Warning> own = evaluation_warnings(two);
   std::erase_if(warnings, [&](const Warning& warning) {
@@ -158,42 +163,46 @@ void keep_doubts(std::vector<Warning>& warnings, const StudyResults& two) {
   });
   for (Warning& warning : warnings) {
     std::erase_if(warning.solvers, is_other);
-    const auto its = std::ranges::find(own, warning.kind, &Warning::kind);
-    if (its == own.end()) continue;
-    warning.count = its->count;
-    warning.total = its->total;
+    const auto found = std::ranges::find(own, warning.kind, &Warning::kind);
+    if (found == own.end()) continue;
+    warning.count = found->count;
+    warning.total = found->total;
   }
 }
 
-// Leaves the groups and the finding of the two labels of the gate, the candidate first.
+// Keeps the groups and the comparison of the two labels of a check, the candidate first.
 void keep_two(const RegressionCheck& gate, MetricSamples& samples, std::vector<Comparison>& comparisons) {
-  const auto is_one = [&](const std::string& name) { return name == gate.candidate || name == gate.baseline; };
-  std::erase_if(samples.groups, [&](const Group& group) { return !is_one(group.name); });
+  const auto is_meant = [&](const std::string& name) { return name == gate.candidate || name == gate.baseline; };
+  std::erase_if(samples.groups, [&](const Group& group) { return !is_meant(group.name); });
   if (samples.groups.front().name != gate.candidate) std::swap(samples.groups.front(), samples.groups.back());
-  std::erase_if(comparisons, [&](const Comparison& its) { return !is_one(its.first) || !is_one(its.second); });
+  std::erase_if(comparisons, [&](const Comparison& comparison) {
+    return !is_meant(comparison.first) || !is_meant(comparison.second);
+  });
   comparisons.front() = better_first(std::move(comparisons.front()), gate.baseline);
 }
 
+// Returns the name of the family that the pairs of a metric belong to.
 std::string family_of(const RegressionCheck& gate, const JudgedMetric& metric) {
   const std::string name = name_in_plan(gate.judged, metric);
   return name.empty() ? "not in the plan: " + metric.samples.metric : name;
 }
 
-// The findings of each metric of each gate. Pairs of the metrics that a name of the plan means are one family: of
-// evaluations, where one label solved all targets and another did not, also those per solved target. Solvers that are
-// the same bit for bit in two stores are no part of it, since no chance is in them.
-std::vector<std::vector<std::vector<Comparison>>> findings_of(const std::vector<RegressionCheck>& gates) {
+// Returns the comparisons of each metric of each check. Pairs of the metrics that one name of the plan means are one
+// family. If one label solved all targets and another did not, evaluations and those per success are one family, too.
+// Solvers that are the same bit for bit in two stores belong to no family, since no chance is in them.
+std::vector<std::vector<std::vector<Comparison>>> all_comparisons(const std::vector<RegressionCheck>& gates) {
   const std::size_t metrics = names_in_plan(gates.front().judged.study.definition).size();
   std::vector<std::vector<std::vector<Comparison>>> all;
-  std::map<std::string, std::vector<std::pair<std::size_t, std::size_t>>> families;  // gates and metrics, by name
+  std::map<std::string, std::vector<std::pair<std::size_t, std::size_t>>>
+      families;  // places of checks and metrics, by name
   for (std::size_t i = 0; i < gates.size(); ++i) {
-    const std::vector<JudgedMetric>& its = gates[i].judged.metrics;
-    all.emplace_back(its.size());
-    for (std::size_t m = 0; m < its.size(); ++m) {
-      if (gates[i].is_identical && !gates[i].label.empty() && !is_time(its[m]))
-        all[i][m] = compare(its[m].samples, its[m].plan, metrics);
+    const std::vector<JudgedMetric>& judged = gates[i].judged.metrics;
+    all.emplace_back(judged.size());
+    for (std::size_t m = 0; m < judged.size(); ++m) {
+      if (gates[i].is_identical && !gates[i].label.empty() && !is_time(judged[m]))
+        all[i][m] = compare(judged[m].samples, judged[m].plan, metrics);
       else
-        families[family_of(gates[i], its[m])].emplace_back(i, m);
+        families[family_of(gates[i], judged[m])].emplace_back(i, m);
     }
   }
   for (const auto& [metric, places] : families) {
@@ -206,49 +215,59 @@ std::vector<std::vector<std::vector<Comparison>>> findings_of(const std::vector<
   return all;
 }
 
-// The list that a quantity of a metric that decides belongs to; null if it belongs to none.
-std::vector<std::string>* list_of(RegressionCheck& gate, const JudgedMetric& judged) {
-  const Comparison& comparison = judged.comparisons.front();
+bool is_below_margin(const Comparison& comparison) {
   const auto* const tested = std::get_if<TestResult>(&comparison.result);
-  const bool is_small = tested && tested->is_below_margin;
+  return tested != nullptr && tested->is_below_margin;
+}
+
+// Returns the outcome of a metric that decides; empty if nothing is to be reported.
+std::optional<RegressionOutcome> deciding_outcome(const RegressionCheck& gate, const JudgedMetric& judged) {
+  const Comparison& comparison = judged.comparisons.front();
   const bool is_settled = gate.is_identical && !is_time(judged);
   switch (verdict_of(comparison)) {
     case Verdict::worse:
-      return is_small ? &gate.worse_below_margin : &gate.worse;
+      return is_below_margin(comparison) ? RegressionOutcome::worse_below_margin : RegressionOutcome::worse;
     case Verdict::better:
-      return is_small ? nullptr : &gate.better;
+      if (is_below_margin(comparison)) return {};
+      return RegressionOutcome::better;
     case Verdict::not_tested:
-      return is_settled ? nullptr : &gate.not_tested;
+      if (is_settled) return {};
+      return RegressionOutcome::not_tested;
     case Verdict::inconclusive: {
-      // Where a budget makes all evaluations equal, that says nothing.
+      // If a budget makes all evaluations equal, the comparison says nothing.
       const bool is_no_news = all_values_equal(comparison) && judged.samples.quantity_kind == QuantityKind::evaluations;
-      return is_settled || is_no_news ? nullptr : &gate.inconclusive;
+      if (is_settled || is_no_news) return {};
+      return RegressionOutcome::inconclusive;
     }
     case Verdict::equivalent:
       break;
   }
-  return nullptr;
+  return {};
 }
 
-// Adds the quantity to the list of the gate that it belongs to.
-void add_to_lists(RegressionCheck& gate, const JudgedMetric& judged) {
-  const std::string& quantity = judged.samples.quantity;
+// Returns the outcome of a metric that does not decide; empty if nothing is to be reported.
+std::optional<RegressionOutcome> other_outcome(const JudgedMetric& judged) {
+  const Comparison& comparison = judged.comparisons.front();
+  const Verdict verdict = verdict_of(comparison);
+  if (is_time(judged) || !is_difference(verdict) || is_below_margin(comparison)) return {};
+  return verdict == Verdict::worse ? RegressionOutcome::worse : RegressionOutcome::better;
+}
+
+// Adds the outcome of a metric to the check.
+void add_outcome(RegressionCheck& gate, const JudgedMetric& judged) {
   if (const int missing = newly_missing(judged); missing > 0) {
     gate.new_failures = missing;
     return;
   }
-  const Verdict verdict = verdict_of(judged.comparisons.front());
-  if (!decides(gate, judged)) {
-    const auto* const tested = std::get_if<TestResult>(&judged.comparisons.front().result);
-    if (is_time(judged) || !is_difference(verdict) || (tested && tested->is_below_margin)) return;
-    (verdict == Verdict::worse ? gate.also_worse : gate.also_better).push_back(quantity);
-    return;
-  }
-  if (std::vector<std::string>* const list = list_of(gate, judged)) list->push_back(quantity);
-  gate.are_times_missing |= is_time(judged) && verdict == Verdict::not_tested;
+  const bool is_deciding = decides(gate, judged);
+  const auto outcome = is_deciding ? deciding_outcome(gate, judged) : other_outcome(judged);
+  if (outcome) gate.outcomes.push_back({judged.samples.metric, judged.samples.quantity, *outcome, is_deciding});
+  if (!is_deciding) return;
+  const bool is_tested = verdict_of(judged.comparisons.front()) != Verdict::not_tested;
   const bool is_share_of_nothing =
       is_proportion(judged.samples) && judged.descriptives.front().mean == 0 && judged.descriptives.back().mean == 0;
-  gate.is_compared |= !is_share_of_nothing && verdict != Verdict::not_tested;
+  if (is_time(judged) && !is_tested) gate.are_times_missing = true;
+  if (is_tested && !is_share_of_nothing) gate.is_compared = true;
 }
 
 }  // namespace
@@ -274,17 +293,18 @@ RegressionCheck gate(StudyResults study, const std::string& candidate, const std
   }
   std::string& control = study.definition.plan.control;
   if (control != candidate && control != baseline) control.clear();
-  JudgedStudy& judged = gate.judged = make_all_samples(std::move(study));
-  StudyResults two = of_two(judged.study, candidate, baseline);
+  gate.judged = make_all_samples(std::move(study));
+  JudgedStudy& judged = gate.judged;
+  StudyResults two = study_of_two(judged.study, candidate, baseline);
   const bool machine_decides = !clock_warnings(two).empty();
   judged.metrics.push_back(
       {.samples = observed_answers(judged.study, machine_decides), .plan = judged.study.definition.plan});
   for (JudgedMetric& metric : judged.metrics) {
     if (is_time(metric) && gate.counts_times()) metric.plan.margin = *gate.options.time_margin;
-    keep_doubts(metric.samples.warnings, two);
+    keep_warnings(metric.samples.warnings, two);
   }
   judged.warnings = study_warnings(two);
-  two.solves = {};  // observed, and large
+  two.solves = {};  // no longer needed, and large
   judged.study = std::move(two);
   return gate;
 }
@@ -296,23 +316,25 @@ RegressionCheck gate(StudyResults baseline, StudyResults candidate, RegressionOp
                                  std::ranges::all_of(candidate.sessions, uses_current_clock);
   const auto turns = turns_of(candidate.sessions, baseline.sessions);
   const std::string now = timed_calls_text(candidate), before = timed_calls_text(baseline);
-  const std::string other = !are_of_this_clock
-                                ? "of the clock of a former version, which no time of this one is compared with"
-                            : now != before ? fmt::format("{}, before {}", now, before)
-                                            : "";
-  if (options.time_margin && !(turns && other.empty()))
+  std::string obstacle;  // why no time can be compared
+  if (!are_of_this_clock)
+    obstacle = "of the clock of a former version, which no time of this one is compared with";
+  else if (now != before)
+    obstacle = fmt::format("{}, before {}", now, before);
+  if (options.time_margin && !(turns && obstacle.empty()))
     throw std::invalid_argument(fmt::format(
         "not compared: times of {} are {}", label,
-        !other.empty() ? other
-                       : "of other sessions than before; expected two stores that were solved in turn (cli/gate.sh "
-                         "with OLD), or leave out --time-margin"));
+        !obstacle.empty() ? obstacle
+                          : "of other sessions than before; expected two stores that were solved in turn (cli/gate.sh "
+                            "with OLD), or leave out --time-margin"));
   StudyResults study =
       study_of_both(baseline, std::move(candidate), options.time_margin ? *turns : std::map<int, int>());
   RegressionCheck both = gate(std::move(study), now_label, before_label, std::move(options), label);
-  for (JudgedMetric& metric : both.judged.metrics) {  // of two sessions times are never comparable
+  for (JudgedMetric& metric : both.judged.metrics) {  // times of different sessions are never comparable
     if (!is_time(metric) || both.counts_times()) continue;
     metric.samples.warnings.clear();
-    if (!other.empty()) metric.samples.warnings.push_back({.kind = WarningKind::times_not_comparable, .detail = other});
+    if (!obstacle.empty())
+      metric.samples.warnings.push_back({.kind = WarningKind::times_not_comparable, .detail = obstacle});
   }
   const auto budget_of = [](const numerics::StopRule& stop) {
     return fmt::format("{} iterations, {} evaluations, {:g} ms", stop.iterations, stop.evaluations, 1e3 * stop.seconds);
@@ -328,7 +350,7 @@ RegressionCheck gate(StudyResults baseline, StudyResults candidate, RegressionOp
 }
 
 void judge_all(std::vector<RegressionCheck>& gates) {
-  std::vector<std::vector<std::vector<Comparison>>> all = findings_of(gates);
+  std::vector<std::vector<std::vector<Comparison>>> all = all_comparisons(gates);
   for (std::size_t i = 0; i < gates.size(); ++i) {
     RegressionCheck& gate = gates[i];
     gate.is_compared = gate.is_identical;
@@ -340,27 +362,35 @@ void judge_all(std::vector<RegressionCheck>& gates) {
       metric.plan.control = gate.baseline;  // is shown second
       metric = judge(std::move(metric.samples), metric.plan, std::move(comparisons));
       Comparison& comparison = metric.comparisons.front();
-      // Two labels of one store keep the finding of its report.
+      // Two labels of one store keep the comparison of the store's report.
       if (gate.is_identical && !gate.label.empty() && !is_time(metric) &&
           std::holds_alternative<TestResult>(comparison.result)) {
         comparison.result = DeterministicResult();
         comparison.estimate = EffectEstimate{null_value(comparison.scale)};
       }
     }
-    for (const JudgedMetric& metric : gate.judged.metrics) add_to_lists(gate, metric);
-    gate.is_compared |= !gate.worse.empty() || !gate.better.empty() || gate.new_failures > 0;
+    for (const JudgedMetric& metric : gate.judged.metrics) add_outcome(gate, metric);
+    const bool is_changed = gate.has(RegressionOutcome::worse) || gate.has(RegressionOutcome::better);
+    if (is_changed || gate.new_failures > 0) gate.is_compared = true;
   }
 }
 
+bool RegressionCheck::has(RegressionOutcome outcome) const { return !quantities(outcome).empty(); }
+
+std::vector<std::string> RegressionCheck::quantities(RegressionOutcome outcome, bool is_deciding) const {
+  std::vector<std::string> names;
+  for (const MetricOutcome& each : outcomes)
+    if (each.outcome == outcome && each.is_deciding == is_deciding) names.push_back(each.quantity);
+  return names;
+}
+
 int exit_code(const std::vector<RegressionCheck>& gates, bool is_strict) {
-  const auto is_worse = [](const RegressionCheck& gate) { return !gate.worse.empty() || gate.new_failures > 0; };
+  using enum RegressionOutcome;
+  const auto is_worse = [](const RegressionCheck& gate) { return gate.has(worse) || gate.new_failures > 0; };
+  const auto is_missing = [](const RegressionCheck& gate) { return !gate.is_compared || gate.are_times_missing; };
+  const auto is_open = [](const RegressionCheck& gate) { return gate.has(inconclusive) || gate.has(not_tested); };
   if (std::ranges::any_of(gates, is_worse)) return 3;
-  if (std::ranges::any_of(gates,
-                          [](const RegressionCheck& gate) { return !gate.is_compared || gate.are_times_missing; }))
-    return 1;
-  const auto is_open = [](const RegressionCheck& gate) {
-    return !gate.inconclusive.empty() || !gate.not_tested.empty();
-  };
+  if (std::ranges::any_of(gates, is_missing)) return 1;
   return is_strict && std::ranges::any_of(gates, is_open) ? 4 : 0;
 }
 

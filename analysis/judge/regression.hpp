@@ -1,4 +1,5 @@
-// Is a solver worse than its baseline? A study of the two, judged like every other.
+// The regression check: is a solver (the candidate) worse than its baseline? `ikbench compare` makes a study of the
+// two, which is judged like every other, and turns the result into an exit code. docs/compare.md is its documentation.
 #pragma once
 
 #include <optional>
@@ -16,47 +17,68 @@ struct RegressionOptions {
   std::vector<std::string> metrics = {};   // those of names_in_plan that decide; empty: all of them
 };
 
-// Two that cannot be compared, since one lacks solves that the other has.
+// Thrown if two solvers cannot be compared, because one lacks solves that the other has.
 struct LacksSolves : std::invalid_argument {
   using invalid_argument::invalid_argument;
 };
 
+// The result of a regression check in one metric. A metric in which nothing is to be reported has none.
+enum class RegressionOutcome {
+  worse,               // by more than the margin; without a margin, at all
+  worse_below_margin,  // by less than the margin, which is no loss
+  better,              // by more than the margin
+  inconclusive,
+  not_tested
+};
+
+struct MetricOutcome {
+  std::string metric;    // name in files: "error"
+  std::string quantity;  // name in sentences: "position error"
+  RegressionOutcome outcome = RegressionOutcome::inconclusive;
+  bool is_deciding = true;  // false: the metric is not in the plan, or the user left it out
+};
+
+// A comparison of one candidate with its baseline. Made by `gate`, and judged by `judge_all`.
 struct RegressionCheck {
   std::string label = {};                     // in both stores; empty: two solvers of one store
   std::string candidate = {}, baseline = {};  // the labels in `judged`
   RegressionOptions options = {};
-  // Until it is decided of all labels of the store and not yet compared, then of the candidate and the baseline. The
-  // last metric is the share of solves that gave an answer. Without solves of other labels.
+  // Until `judge_all` the samples of all labels of the store, then those of the candidate and the baseline. The last
+  // metric is the share of solves that gave an answer. Has no solves of other labels.
   JudgedStudy judged = {};
-  // Quantities of the metrics that decide: time only with a margin for it. worse_below_margin: by less than the margin,
-  // which is no loss.
-  std::vector<std::string> worse = {}, better = {}, worse_below_margin = {}, inconclusive = {}, not_tested = {};
-  std::vector<std::string> also_worse = {}, also_better = {};  // quantities of other metrics, which decide nothing
-  std::vector<std::string> newly_unsolved = {},
-                           newly_solved = {};  // targets: solved by the baseline alone, by the candidate alone
-  int identical_solves = 0;                    // solves, bit for bit
-  int new_failures = 0;            // answers, where before none was or now none is left: fails, even if by chance
-  bool is_identical = false;       // all solves, bit for bit: then nothing is left to decide but time
+  // In the order of the metrics. Times decide only if the options have a margin for them.
+  std::vector<MetricOutcome> outcomes = {};
+  std::vector<std::string> newly_unsolved = {};  // targets that only the baseline solved
+  std::vector<std::string> newly_solved = {};    // targets that only the candidate solved
+  int identical_solves = 0;                      // bit for bit
+  int new_failures = 0;       // missing answers, where before none was or now none is left; fails, even if by chance
+  bool is_identical = false;  // all solves, bit for bit: then only times are left to decide
   bool are_times_missing = false;  // though they decide
-  bool is_compared = true;         // some quantity that decides was compared, or something is worse
+  bool is_compared = true;         // some deciding metric was compared, or something is worse
 
   bool counts_times() const { return options.time_margin.has_value(); }
+  // Returns whether a deciding metric has this outcome.
+  bool has(RegressionOutcome outcome) const;
+  // Returns the quantities of the metrics with this outcome, in the order of the metrics.
+  std::vector<std::string> quantities(RegressionOutcome outcome, bool is_deciding = true) const;
 };
 
-// Of two labels of a study: observed and not yet judged. All labels of the study take part, so that the pair has the p
-// that it has in the study's report; with a control that is neither of the two, the p of a report without a control.
-// Throws LacksSolves if the two have not the same solves, and std::invalid_argument for options that ask for what the
-// plan lacks.
+// Makes the check of two labels of a study, which is not judged yet. All labels of the study take part, so that the
+// pair has the p that it has in the study's report; with a control that is neither of the two, the p of a report
+// without a control. Throws LacksSolves if the two do not have the same solves, and std::invalid_argument if the
+// options ask for metrics that the plan does not name.
 RegressionCheck gate(StudyResults study, const std::string& candidate, const std::string& baseline,
                      RegressionOptions options = {}, const std::string& label = "");
-// Of one solver in two stores, by the baseline's plan; times decide only if the two were solved in turn. Throws also if
-// the tasks differ.
+// Makes the check of one solver in two stores, by the baseline's plan. Times decide only if the two stores were solved
+// in turn. Throws std::invalid_argument also if the tasks differ.
 RegressionCheck gate(StudyResults baseline, StudyResults candidate, RegressionOptions options = {});
-// Judges all of at least one. A metric's pairs of all gates are one family, and its significance is that of a report.
+// Judges all checks, of which there must be at least one. The pairs of a metric in all checks are one family, which has
+// the significance of a report.
 void judge_all(std::vector<RegressionCheck>& gates);
 
-// 3: something is worse, or answers are newly missing; 1: of a label nothing was compared, or not the times that were
-// asked for; 4: something is not decided, and that counts; else 0. Of all labels together.
+// Returns the exit code for all checks together. 3: something is worse, or answers are newly missing. 1: in one check
+// nothing was compared, or not the times that were asked for. 4: `is_strict`, and something is inconclusive or not
+// tested. 0: otherwise.
 int exit_code(const std::vector<RegressionCheck>& gates, bool is_strict);
 
 }  // namespace ikbench::judge

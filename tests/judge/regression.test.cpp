@@ -49,8 +49,8 @@ using Names = std::vector<std::string>;
 
 TEST_CASE("an unchanged solver passes, also where nothing may be open") {
   const RegressionCheck gate = gate_of(version(1), version(1));
-  CHECK(gate.worse.empty());
-  CHECK(gate.inconclusive.empty());
+  CHECK(gate.quantities(RegressionOutcome::worse).empty());
+  CHECK(gate.quantities(RegressionOutcome::inconclusive).empty());
   CHECK(exit_code({gate}, true) == 0);
   for (const JudgedMetric& judged : gate.judged.metrics)
     if (judged.samples.unit != "s") CHECK(verdict_of(judged.comparisons.front()) == Verdict::equivalent);
@@ -61,7 +61,7 @@ TEST_CASE("three times the evaluations on the targets that it solves are worse, 
     if (solve.status == Status::ok) solve.evaluations *= 3;
   };
   const RegressionCheck gate = gate_of(version(1), version(2, of_100, triple));
-  CHECK(gate.worse == Names{"evaluations per solved"});
+  CHECK(gate.quantities(RegressionOutcome::worse) == Names{"evaluations per solved"});
   CHECK(exit_code({gate}, false) == 3);
   CHECK(exit_code({gate_of(version(2, of_100, triple), version(1))}, false) == 0);
 }
@@ -73,7 +73,7 @@ TEST_CASE("5 crashes in 100 solves are worse where the baseline had none") {
     const auto solved = [](SolveRecord& solve) { solve.status = Status::ok; };
     const auto crash = [](SolveRecord& solve) { solve.status = solve.point % 20 == 0 ? Status::crashed : Status::ok; };
     const RegressionCheck gate = gate_of(version(1, asked, solved), version(1, asked, crash));
-    CHECK(gate.worse.empty());
+    CHECK(gate.quantities(RegressionOutcome::worse).empty());
     CHECK(gate.new_failures == 5);
     CHECK(exit_code({gate}, false) == 3);
     // As chance may do: its p is not small, and nothing is certain.
@@ -143,8 +143,8 @@ TEST_CASE("times decide nothing, and those of other stores and of solves that ar
   for (const RegressionCheck& gate :
        {gate_of(before, version(1, in_turns, slow_and_other)), gate_of(before, version(1, in_turns, slow))}) {
     CHECK(time_of(gate).why == SeenReason::apart);
-    CHECK(gate.worse.empty());
-    CHECK(std::ranges::count(gate.inconclusive, "time per solved") == 0);
+    CHECK(gate.quantities(RegressionOutcome::worse).empty());
+    CHECK(std::ranges::count(gate.quantities(RegressionOutcome::inconclusive), "time per solved") == 0);
   }
   const RegressionCheck one = gate_of(in_turns, [&](SolveRecord& solve) {
     const double noise = solve.label == "B" ? 1 + 0.01 * (solve.run % 2) : 1;
@@ -181,10 +181,10 @@ TEST_CASE("times of two that solved in turn decide; too few turns and other sess
     return gates;
   };
   CHECK(exit_code(gates_of(6, 1, 1.01), true) == 0);
-  CHECK(gates_of(6, 1, 1.3).front().worse == Names{"time"});
+  CHECK(gates_of(6, 1, 1.3).front().quantities(RegressionOutcome::worse) == Names{"time"});
   CHECK(exit_code(gates_of(6, 1, 1.01, 2), true) == 0);
   const std::vector<RegressionCheck> few = gates_of(3, 1, 1.01);
-  CHECK(few.front().not_tested == Names{"time"});
+  CHECK(few.front().quantities(RegressionOutcome::not_tested) == Names{"time"});
   CHECK(exit_code(few, false) == 1);
   CHECK_NOTHROW(gates_of(6, 10, 1));                           // it began in the same second
   CHECK_THROWS_AS(gates_of(6, 11, 1), std::invalid_argument);  // one had begun its next turn
@@ -209,12 +209,13 @@ TEST_CASE("times of two that solved in turn decide; too few turns and other sess
 
 TEST_CASE("a metric that one of the two lacks is not tested") {
   const auto uncounted = [](SolveRecord& solve) { solve.counted_by = CountedBy::none; };
-  CHECK(gate_of(version(1), version(2, of_100, uncounted)).not_tested == Names{"evaluations per solved"});
+  CHECK(gate_of(version(1), version(2, of_100, uncounted)).quantities(RegressionOutcome::not_tested) ==
+        Names{"evaluations per solved"});
   CHECK(exit_code({gate_of(version(1, of_100, uncounted), version(1))}, false) == 0);
   const RegressionCheck of_two = gate_of(of_100, [&](SolveRecord& solve) {
     if (solve.label == "B") uncounted(solve);
   });
-  CHECK(of_two.not_tested == Names{"evaluations"});
+  CHECK(of_two.quantities(RegressionOutcome::not_tested) == Names{"evaluations"});
   CHECK(exit_code({of_two}, false) == 0);
 }
 
@@ -224,7 +225,7 @@ TEST_CASE("equal solvers are worse in something in at most 5 % of compares") {
   for (int i = 0; i < compares; ++i) {
     const RegressionCheck gate = gate_of(version(i), version(compares + i));
     for (const JudgedMetric& judged : gate.judged.metrics) CHECK(judged.plan.significance == 0.05);  // p is adjusted
-    red += !gate.worse.empty();
+    red += !gate.quantities(RegressionOutcome::worse).empty();
   }
   CHECK(red <= compares / 20);
 }
@@ -236,10 +237,10 @@ TEST_CASE("labels and metrics that are compared share the significance") {
   };
   const StudyResults before = version(1), after = version(1, of_100, miss_eight);
   const RegressionCheck one = gate_of(before, after), of_six = gate_of(before, after, 6);
-  CHECK(std::ranges::count(one.worse, "solved") == 1);
+  CHECK(std::ranges::count(one.quantities(RegressionOutcome::worse), "solved") == 1);
   CHECK(seen(one.judged.metrics.front().comparisons.front()).p == 3 * 2 / 256.0);  // solved, time and evaluations
-  CHECK(std::ranges::count(of_six.worse, "solved") == 0);
-  CHECK(std::ranges::count(of_six.inconclusive, "solved") == 1);
+  CHECK(std::ranges::count(of_six.quantities(RegressionOutcome::worse), "solved") == 0);
+  CHECK(std::ranges::count(of_six.quantities(RegressionOutcome::inconclusive), "solved") == 1);
   CHECK(seen(of_six.judged.metrics.front().comparisons.front()).p == 6 * 3 * 2 / 256.0);
 }
 
@@ -249,15 +250,16 @@ TEST_CASE("what the plan names decides, and what it does not name is told") {
     solve.variation_deg *= 1.5;
   };
   const RegressionCheck one = gate_of(version(1), version(1, of_100, far));
-  CHECK(one.worse.empty());
-  CHECK(one.also_worse == Names{"joint motion"});
+  CHECK(one.quantities(RegressionOutcome::worse).empty());
+  CHECK(one.quantities(RegressionOutcome::worse, false) == Names{"joint motion"});
   CHECK(exit_code({one}, false) == 0);
-  CHECK(gate_of(version(1, of_100, far), version(1)).also_better == Names{"joint motion"});
+  CHECK(gate_of(version(1, of_100, far), version(1)).quantities(RegressionOutcome::better, false) ==
+        Names{"joint motion"});
   Asked with_motion = of_100;
   with_motion.rest = R"(, "analysis": {"then": ["time", "evaluations", "motion"]})";
   const RegressionCheck named = gate_of(version(1, with_motion), version(1, with_motion, far));
-  CHECK(named.worse == Names{"joint motion"});
-  CHECK(named.also_worse.empty());
+  CHECK(named.quantities(RegressionOutcome::worse) == Names{"joint motion"});
+  CHECK(named.quantities(RegressionOutcome::worse, false).empty());
   CHECK(exit_code({named}, false) == 3);
 }
 
@@ -266,8 +268,8 @@ TEST_CASE("no more metrics decide than share the significance") {
   by_evaluations.rest = R"(, "analysis": {"metric": "evaluations", "then": ["time"]})";
   const auto triple = [](SolveRecord& solve) { solve.evaluations *= 3; };
   const RegressionCheck gate = gate_of(version(1, by_evaluations), version(1, by_evaluations, triple));
-  CHECK(gate.worse == Names{"evaluations"});
-  CHECK(gate.also_worse == Names{"evaluations per solved"});
+  CHECK(gate.quantities(RegressionOutcome::worse) == Names{"evaluations"});
+  CHECK(gate.quantities(RegressionOutcome::worse, false) == Names{"evaluations per solved"});
   for (const char* plan : {R"("then": [])", R"("then": ["motion", "time"])", R"("metric": "seconds")", ""}) {
     Asked asked = of_100;
     asked.rest = fmt::format(R"(, "analysis": {{{}}})", plan);
@@ -281,10 +283,10 @@ TEST_CASE("--metric chooses of the plan's metrics those that decide, and changes
   const auto triple = [](SolveRecord& solve) { solve.evaluations *= 3; };
   const StudyResults before = version(1), after = version(1, of_100, triple);
   const RegressionCheck all = gate_of(before, after), one = gate_of(before, after, 1, {.metrics = {"solved"}});
-  CHECK(all.worse == Names{"evaluations per solved"});
+  CHECK(all.quantities(RegressionOutcome::worse) == Names{"evaluations per solved"});
   CHECK(exit_code({all}, false) == 3);
-  CHECK(one.worse.empty());
-  CHECK(one.also_worse == all.worse);
+  CHECK(one.quantities(RegressionOutcome::worse).empty());
+  CHECK(one.quantities(RegressionOutcome::worse, false) == all.quantities(RegressionOutcome::worse));
   CHECK(exit_code({one}, false) == 0);
   for (std::size_t i = 0; i < all.judged.metrics.size(); ++i)
     CHECK(seen(all.judged.metrics[i].comparisons.front()).p == seen(one.judged.metrics[i].comparisons.front()).p);
@@ -437,10 +439,10 @@ TEST_CASE("other budgets are a doubt, and the margin is the baseline's") {
   StudyResults before = version(1, of_100, spend(1)), after = version(2, of_100, spend(3));
   after.definition.stop.evaluations = 3000;
   after.definition.plan.margin = 9;
-  CHECK_FALSE(gate_of(before, after).worse.empty());
+  CHECK_FALSE(gate_of(before, after).quantities(RegressionOutcome::worse).empty());
   before.definition.plan.margin = 9;
   const RegressionCheck gate = gate_of(before, after);
-  CHECK(gate.worse.empty());
+  CHECK(gate.quantities(RegressionOutcome::worse).empty());
   REQUIRE(gate.judged.warnings.size() == 1);
   CHECK_THAT(warning_text(gate.judged.warnings.front()), ContainsSubstring("3000 evaluations"));
 }
@@ -455,8 +457,8 @@ TEST_CASE("a loss of a solver that repeats itself is a fact") {
                  },
                  {"mine"});
   };
-  CHECK(gate_of(with(0.5), with(0.6)).worse == Names{"error"});
-  CHECK(gate_of(with(0.5), with(0.51)).worse.empty());
+  CHECK(gate_of(with(0.5), with(0.6)).quantities(RegressionOutcome::worse) == Names{"error"});
+  CHECK(gate_of(with(0.5), with(0.51)).quantities(RegressionOutcome::worse).empty());
   CHECK(exit_code({gate_of(with(0.5), with(0.4))}, true) == 0);
 }
 
@@ -465,9 +467,10 @@ TEST_CASE("what is not decided fails a strict gate alone") {
   few.points = 8;
   const auto shift = [](SolveRecord& solve) { solve.variation_deg *= 1.02; };
   const RegressionCheck gate = gate_of(version(1, few), version(2, few, shift));
-  CHECK(gate.worse.empty());
-  CHECK(gate.inconclusive == Names{"solved", "evaluations per solved"});
-  CHECK(gate.not_tested.empty());  // joint motion has too few targets, and the plan does not name it
+  CHECK(gate.quantities(RegressionOutcome::worse).empty());
+  CHECK(gate.quantities(RegressionOutcome::inconclusive) == Names{"solved", "evaluations per solved"});
+  CHECK(gate.quantities(RegressionOutcome::not_tested)
+            .empty());  // joint motion has too few targets, and the plan does not name it
   CHECK(exit_code({gate}, false) == 0);
   CHECK(exit_code({gate}, true) == 4);
 }
@@ -480,7 +483,7 @@ TEST_CASE("a gate in which too few were compared ends with 1, whatever the answe
   const RegressionCheck gate = gate_of(chained, far);
   CHECK_FALSE(gate.is_compared);
   CHECK(exit_code({gate}, false) == 1);
-  CHECK(gate.worse.empty());
+  CHECK(gate.quantities(RegressionOutcome::worse).empty());
   const RegressionCheck crashed = gate_of(chained, [](SolveRecord& solve) {
     if (solve.label == "B") solve.status = Status::crashed;
   });
@@ -500,7 +503,7 @@ TEST_CASE("what the study's time ended in other sessions is not compared") {
   };
   CHECK(exit_code({gate_of(timed(200), timed(200))}, false) == 0);
   const RegressionCheck ended = gate_of(timed(200), timed(40));
-  CHECK(ended.worse.empty());
+  CHECK(ended.quantities(RegressionOutcome::worse).empty());
   CHECK_FALSE(ended.is_compared);
   CHECK(exit_code({ended}, false) == 1);
 }
