@@ -28,13 +28,13 @@ std::vector<std::string> leave_out_aggregates(Sheet& sheet, const Request& reque
   for (const std::uint32_t row : sheet.rows()) ++counts[sheet.cell(row, name)];
   std::vector<std::uint32_t> aggregates;
   for (const std::uint32_t row : sheet.rows()) {
-    const std::string_view its = sheet.cell(row, name);
-    const auto repeated = counts.find(its.substr(0, its.rfind('_')));  // "BM_x" of "BM_x_mean"
-    const bool is_of_others = counts[its] == 1 && repeated != counts.end() && repeated->second > 1;
+    const std::string_view title = sheet.cell(row, name);
+    const auto repeated = counts.find(title.substr(0, title.rfind('_')));  // "BM_x" of "BM_x_mean"
+    const bool is_of_others = counts[title] == 1 && repeated != counts.end() && repeated->second > 1;
     const bool is_of_fit = sheet.cell(row, iterations).empty() && !sheet.cell(row, real_time).empty();  // "BM_x_BigO"
     if (!is_of_others && !is_of_fit) continue;
     aggregates.push_back(row);
-    names.emplace_back(its);
+    names.emplace_back(title);
   }
   if (!aggregates.empty()) sheet.leave_out(aggregates);
   return names;

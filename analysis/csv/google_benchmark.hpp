@@ -1,4 +1,5 @@
-// Google Benchmark's CSV has rows that sum up others, which only their names tell.
+// Reads CSV files of Google Benchmark, which have rows that sum up other rows. Such rows are known only by their names.
+// user_csv.cpp calls this for every file.
 // https://github.com/google/benchmark/blob/main/docs/user_guide.md#output-formats
 #pragma once
 
@@ -9,10 +10,11 @@
 
 namespace ikbench::csv {
 
-// Leaves out the rows that sum up others, unless --where takes a name; returns their names.
+// Leaves out the rows that sum up others, unless --where takes a name, and returns the names of these rows. Does
+// nothing to files of other programs.
 std::vector<std::string> leave_out_aggregates(Sheet& sheet, const Request& request);
 
-// Refuses times of several units.
+// Throws std::invalid_argument, as Sheet does, if the times of a file have several units.
 void expect_one_time_unit(const Sheet& sheet, const Columns& values);
 
 }  // namespace ikbench::csv

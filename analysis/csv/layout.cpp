@@ -40,7 +40,7 @@ void expect_one_unit(Sheet& sheet, const Columns& values) {
   const std::string first = sheet.titles()[values.front()];
   for (const std::size_t value : values) {
     const std::string title = sheet.titles()[value];
-    sheet.column(title);  // refuses a title of two columns
+    sheet.column(title);  // refuses a title that two columns have
     if (base::Title(title).unit != base::Title(first).unit)
       sheet.refuse(fmt::format("{} and {} differ in units; convert them", in_quotes(first), in_quotes(title)));
   }
@@ -56,12 +56,12 @@ SummaryColumns summary_columns_of(const Sheet& sheet) {
 
 Layout layout_of(Sheet& sheet, const Request& request) {
   Known known;
-  Columns& columns = known.columns;  // without what stands outside the bars of a Markdown table
+  Columns& columns = known.columns;  // without empty columns outside the bars of a Markdown table
   for (std::size_t i = 0; i < sheet.titles().size(); ++i) {
     const auto is_empty = [&](std::uint32_t row) { return sheet.cell(row, i).empty(); };
     if (sheet.titles()[i] == base::unnamed(i) && std::ranges::all_of(sheet.rows(), is_empty)) continue;
     columns.push_back(i);
-    if (is_index(sheet, i)) known.indices.push_back(i);  // of all rows, before some are taken
+    if (is_index(sheet, i)) known.indices.push_back(i);  // before --where removes rows
   }
   const auto has_title = [&](std::string_view title) { return std::ranges::count(sheet.titles(), title) > 0; };
   known.is_wide =
@@ -90,7 +90,7 @@ Layout layout_of(Sheet& sheet, const Request& request) {
   for (const std::size_t column : columns)
     if (!has(named, column) && !has(known.indices, column))
       (sheet.has_numbers(column) ? numbers : texts).push_back(column);
-  if (numbers.empty() && layout.values.empty()) numbers.swap(known.indices);  // a file has to have values
+  if (numbers.empty() && layout.values.empty()) numbers.swap(known.indices);  // a file must have values
   const bool has_no_other = request.are_summaries || numbers.size() == (layout.values.empty() ? 1 : 0);
   if (request.label.empty() && texts.size() == 1 && has_no_other) {
     layout.label = texts.front();

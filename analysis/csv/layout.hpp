@@ -1,5 +1,6 @@
-// Which column of a user's table is what: as the user says. Nothing is guessed from names, texts or numbers, but that a
-// column which numbers the rows is no value.
+// Finds the columns of label, values, blocks and runs in a user's table, as the user says. Nothing is guessed from
+// names, texts or numbers, except that a column that numbers the rows has no values. docs/your-own-csv.md is its
+// documentation.
 #pragma once
 
 #include <algorithm>
@@ -17,29 +18,31 @@ using Column = std::optional<std::size_t>;
 using Columns = std::vector<std::size_t>;
 inline bool has(const Columns& columns, std::size_t column) { return std::ranges::count(columns, column) > 0; }
 
-// Columns by name. A file without a column `row` has one, of the number of each row.
+// The user's options, which name columns by their titles. If a file has no column `row`, that name means the number of
+// each row.
 struct Request {
-  std::vector<std::string> values = {};  // each a quantity; or groups, where the label is `columns`
-  std::vector<std::string> label = {};   // who is compared; `columns`: each column of values
-  std::vector<std::string> block = {};   // target or problem that all groups had: makes observations paired
+  std::vector<std::string> values = {};  // quantities; if the label is `columns`, groups
+  std::vector<std::string> label = {};   // columns that name the groups; `columns`: each column of values is a group
+  std::vector<std::string> block = {};   // target or problem that all groups had, which makes values paired
   std::string run = {};                  // rows of a run (of a block) are averaged; `row`: each row is one
-  std::vector<std::string> where = {};   // "metric=error": takes these rows alone
-  std::vector<std::string> better = {};  // "smaller" or "larger", of one column "quality=larger"
-  std::string missing = {};              // what rows without a value are: "drop", "worst"; empty: it is asked
-  bool are_means = false;                // are compared, which cannot count what has no answer
-  char decimal = 0;                      // mark of decimals; 0: found
+  std::vector<std::string> where = {};   // "metric=error": takes only these rows
+  std::vector<std::string> better = {};  // "smaller" or "larger"; for one column "quality=larger"
+  std::string missing = {};              // rows without a value: "drop" or "worst"; empty: the user is asked
+  bool are_means = false;                // the plan compares means, which cannot count rows without an answer
+  char decimal = 0;                      // decimal mark; 0: found from the file
   bool are_summaries = false;            // rows have printed means and standard deviations
-  int n = 0;                             // values of each printed mean, where no column says it
+  int n = 0;                             // values of each printed mean; 0: a column says so
 };
 
-// Where things are. Without a label each column of values is a group.
+// The columns of a table. Without a label each column of values is a group.
 struct Layout {
-  Column label, block, run;  // a run has several rows
+  Column label, block, run;  // run: empty if each row is one
   Columns values, unused;
 };
 
-// Something was not said: a sentence, the columns of the file as a table, the options of each possible answer, the
-// options to add where not all answers are listed, with what is open in capitals, and what the options mean.
+// Thrown if an option is missing: what() is a sentence. `columns` describes the columns of the file as a table,
+// `answers` has the options of each possible answer, `options` those to add if not all answers are listed, with
+// placeholders in capitals, and `advice` says what the options mean.
 struct MissingOption : std::invalid_argument {
   explicit MissingOption(const std::string& what) : invalid_argument(what) {}
   std::vector<std::vector<std::string>> columns = {};
@@ -48,16 +51,16 @@ struct MissingOption : std::invalid_argument {
   std::string advice = {};
 };
 
-// The columns of printed means: as ikbench, pandas, hyperfine or pytest-benchmark call them.
+// The columns of printed means, by the titles of ikbench, pandas, hyperfine or pytest-benchmark.
 struct SummaryColumns {
   Column n, mean, sd;
 };
 SummaryColumns summary_columns_of(const Sheet& sheet);
 
-// Takes the rows that the request wants. A column of texts and one of numbers are label and values, if no others are
-// left; so is one column of numbers beside a label. Where a column stays unnamed, it has to be said what a row is. A
-// column that numbers the rows is not used, unless it is named or the only one of numbers.
-// Throws a Question, or std::invalid_argument as Sheet does.
+// Removes the rows that the request does not want, and returns the columns. A column of texts and one of numbers are
+// label and values, if no others are left; so is one column of numbers beside a label. If a column stays unnamed, the
+// user has to say what a row is. A column that numbers the rows is not used, unless an option names it or no other has
+// numbers. Throws MissingOption, or std::invalid_argument as Sheet does.
 Layout layout_of(Sheet& sheet, const Request& request);
 
 }  // namespace ikbench::csv

@@ -18,12 +18,12 @@ namespace {
 
 using Options = std::vector<std::string>;
 
-constexpr std::size_t most_counted = 1'000'000;  // cells, all of which are looked at for a question
-constexpr std::size_t few_rows = 1000;           // of more
+constexpr std::size_t most_counted = 1'000'000;  // cells; a question looks at all cells of a table with no more
+constexpr std::size_t few_rows = 1000;           // rows that it looks at otherwise
 constexpr std::size_t most_shown = 15;           // columns
 constexpr std::size_t most_labels = 100;
 constexpr std::size_t most_answers = 6;
-constexpr std::size_t most_crossed = 2;  // columns, whose combinations are few enough to be listed
+constexpr std::size_t most_crossed = 2;  // columns; combinations of more are too many to be listed
 
 Options joined(Options options, const Options& more) {
   options.insert(options.end(), more.begin(), more.end());
@@ -34,7 +34,7 @@ struct Facts {
   std::size_t column = 0;
   std::size_t different = 0, filled = 0;
   bool has_numbers = false, are_whole = true, is_index = false;
-  bool is_each_repeated = true;  // each of the different texts
+  bool is_each_repeated = true;  // each of the different texts occurs again
 
   bool may_be_labels(std::size_t rows) const {
     const bool is_repeated = different < filled || rows == 2;  // two rows may be a sketch
@@ -61,7 +61,7 @@ class Asking {
     return asked;
   }
 
-  // Adds the answers that there can be, given what is known of labels and values.
+  // Adds the possible answers, given the known labels and values.
   void answer_columns(MissingOption& asked) const {
     const Columns labels = possible_labels(), values = possible_values();
     if (!request_.are_summaries && !known_.label && known_.values.empty() && are_summaries(sheet_) && has_unique_name())
@@ -95,7 +95,7 @@ class Asking {
     asked.options = joined(joined(label_option, value_option), better());
   }
 
-  // Columns of means, if each column of numbers is one or its spread: "alpha_mean" and "alpha_std".
+  // Returns the columns of means, if each column of numbers is a mean or its spread: "alpha_mean" and "alpha_std".
   Columns means() const {
     Columns means;
     const Columns all = numbers();
@@ -137,7 +137,7 @@ class Asking {
     return facts.are_whole ? "whole" : "number";
   }
 
-  // The columns as a table, of many those first that may be labels or values.
+  // Returns the columns as a table. If there are many, those that may be labels or values come first.
   std::vector<Options> described() const {
     std::vector<Options> shown, others;
     for (const Facts& facts : facts_) {
@@ -165,7 +165,7 @@ class Asking {
     return labels;
   }
 
-  // True if one column of texts, or one beside "metric", has no text twice, so that it names each row.
+  // Returns whether one column of texts, or one beside "metric", has no text twice, so that the column names each row.
   bool has_unique_name() const {
     const Column metric = sheet_.column_like({"metric"});
     const Columns metrics = metric ? Columns{*metric} : Columns();
@@ -196,8 +196,8 @@ class Asking {
     return units.size() == 1;
   }
 
-  // Adds an answer for each label and value that there can be, if they are few. Whole commands would be too many: each
-  // of these leads to the question what a row is. Returns whether it added any.
+  // Adds an answer per possible label and value, if they are few. Whole commands would be too many, so each answer
+  // leads to the question what a row is. Returns whether an answer was added.
   bool add_answers_of_columns(MissingOption& asked, const Columns& labels) const {
     std::vector<Options> of_labels, of_values;
     for (const std::size_t label : known_.label ? Columns() : labels) of_labels.push_back({"--label", title(label)});
@@ -214,7 +214,7 @@ class Asking {
     return true;
   }
 
-  // The columns of numbers that differ from row to row: those with decimals, if there are any.
+  // Returns the columns of numbers that differ from row to row: those with decimals, if there are any.
   Columns varying_values() const {
     Columns varying, decimals;
     const Columns possible = possible_values();
@@ -246,7 +246,8 @@ class Asking {
     asked.answers.push_back(joined(joined(options, more), better()));
   }
 
-  // With options that settle labels and values, the answers to what a row is. A missing label: each column is one.
+  // Adds the answers to what a row is, to options that settle labels and values. If `label` is empty, each column is a
+  // label.
   void add_answers_of_rows(MissingOption& asked, const Options& options, Column label, const Columns& values) const {
     if (!request_.block.empty() || !request_.run.empty()) return add_answer(asked, options, {});
     if (!label && known_.columns.size() == values.size() + known_.indices.size()) {
@@ -254,7 +255,7 @@ class Asking {
         if (!row.empty() && !(has_column_row() && row[0] == "--block")) add_answer(asked, options, row);
       return;
     }
-    Columns others;  // what may be blocks and runs
+    Columns others;  // possible blocks and runs
     for (const Facts& facts : facts_) {
       const bool is_taken = facts.column == label || has(values, facts.column) || !is_free(facts);
       const bool has_names = !facts.has_numbers || facts.are_whole;
@@ -264,7 +265,7 @@ class Asking {
       asked.options = joined(joined(options, {"--block", "BLOCK", "--run", "RUN"}), better());
       others.clear();
     }
-    Columns texts;  // which have to be the same in all rows of a mean
+    Columns texts;  // columns that must be the same in all rows of a mean
     for (const Facts& facts : facts_)
       if (is_free(facts) && !facts.has_numbers && facts.column != label) texts.push_back(facts.column);
     for (std::size_t chosen = std::size_t{1} << others.size(); chosen-- > 0;) {  // the most blocks first
@@ -274,13 +275,13 @@ class Asking {
     }
   }
 
-  // The options by which each row is one. Where the file has a column `row`, that is what the name means.
+  // Returns the options by which each row is one value; empty if a column `row` of the file takes that name.
   Options each_row() const {
     if (!has_column_row()) return {"--run", "row"};
     return known_.indices.empty() ? Options() : Options{"--run", title(known_.indices.front())};
   }
 
-  // The text of several cells of a row.
+  // Returns the texts of several cells of a row as one.
   std::string key(std::uint32_t row, Column label, const Columns& columns) const {
     std::string text(label ? sheet_.cell(row, *label) : "");
     for (const std::size_t column : columns) text.append(1, '\0').append(sheet_.cell(row, column));
@@ -292,7 +293,7 @@ class Asking {
     return std::ranges::all_of(rows_, [&](std::uint32_t row) { return seen.insert(key(row, label, columns)).second; });
   }
 
-  // Whether most labels have a row in most of these blocks; else the columns name what one label alone has.
+  // Returns whether most labels have a row in most of these blocks. Otherwise the columns name what only one label has.
   bool are_crossed(Column label, const Columns& blocks) const {
     if (!label) return true;
     std::set<std::string> labels, of_blocks, cells;
@@ -304,7 +305,7 @@ class Asking {
     return 2 * cells.size() > labels.size() * of_blocks.size();
   }
 
-  // Whether no text differs within a mean, but in columns that are named.
+  // Returns whether no text differs within a mean, except in columns that are named.
   bool are_alike(Column label, const Columns& means, const Columns& named, const Columns& texts) const {
     std::map<std::string, std::string> first;
     Columns others;

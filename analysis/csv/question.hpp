@@ -1,4 +1,5 @@
-// What a question tells of a table's columns, and the commands that answer it.
+// Asks the user for options that a table needs: shows the columns of the table, and the commands that could answer.
+// Called by layout.cpp and user_csv.cpp when they cannot know. Looks at a million cells at most.
 #pragma once
 
 #include <string_view>
@@ -7,26 +8,28 @@
 
 namespace ikbench::csv {
 
-// A column that is 0, 1, 2 ... or 1, 2, 3 ... in the order of the rows, as pandas and R write it.
+// Returns whether a column is 0, 1, 2 ... or 1, 2, 3 ... in the order of the rows, as pandas and R write it.
 bool is_index(const Sheet& sheet, std::size_t column);
 
 // The columns, as far as they are known when a question has to be asked.
 struct Known {
-  Columns columns;  // which are told
-  Columns named;    // by an option
-  Columns indices;  // which nobody named
+  Columns columns;  // shown
+  Columns named;    // named by an option
+  Columns indices;  // columns that number the rows, and that no option names
   bool is_wide = false;
-  Column label;    // where it is known
-  Columns values;  // the same
+  Column label;    // empty: not known
+  Columns values;  // empty: not known
 };
 
-// Whether the rows have means and standard deviations, as --summaries reads them; the answer that says so.
+// Returns whether the rows have means and standard deviations, as --summaries reads them.
 bool are_summaries(const Sheet& sheet);
+// Adds the answer --summaries.
 void answer_by_summaries(const Sheet& sheet, MissingOption& asked, const std::vector<std::string>& better);
 
-// Throws the Question. Where few answers are possible, each is a whole command; else what is open has a placeholder.
+// Throws MissingOption, which asks for labels and values. If few answers are possible, each is a whole command;
+// otherwise options that are open have a placeholder.
 [[noreturn]] void ask_for_columns(const Sheet& sheet, const Request& request, const Known& known);
-// Throws the Question what a row is.
+// Throws MissingOption, which asks what a row is.
 [[noreturn]] void ask_for_rows(const Sheet& sheet, const Request& request, const Known& known);
 
 }  // namespace ikbench::csv

@@ -26,26 +26,29 @@ using Index = std::uint32_t;
 
 constexpr std::size_t most_groups = 100;
 
+// One cell of values.
 struct Value {
   Index group, unit, row, column;  // unit: block, run or the value itself
   double value;
 };
 
+// The mean of all values of one group and unit.
 struct Mean {
-  Index group, unit, first;     // first: of its rows
-  Index rows = 0, missing = 0;  // with and without a value
-  long double sum = 0;          // by which the same rows in another order have the same mean
+  Index group, unit, first;     // first: first row
+  Index rows = 0, missing = 0;  // rows with and without a value
+  long double sum = 0;          // exact enough that the order of rows does not change the mean
 };
 
+// All values of one quantity.
 struct Items {
   std::vector<std::string> groups;
-  std::vector<Value> values;  // by group and unit
-  std::vector<Mean> means;    // of each group and unit
+  std::vector<Value> values;  // ordered by group and unit
+  std::vector<Mean> means;    // one per group and unit
   Index units = 0;
   std::size_t unlabelled = 0;
 };
 
-// Makes the means of each group and unit, of which all rows have the same texts.
+// Adds the means of all groups and units. Refuses a mean whose rows have different texts.
 void add_means(const Sheet& sheet, const Layout& layout, const Request& request, Items& items) {
   Columns texts = layout.unused;
   std::erase_if(texts, [&](std::size_t column) { return sheet.has_numbers(column); });
@@ -73,7 +76,7 @@ void add_means(const Sheet& sheet, const Layout& layout, const Request& request,
   }
 }
 
-// Refuses labels that name each row, or few rows; in a table of printed means they should.
+// Refuses labels that name each row, or few rows. Only a table of printed means should have such labels.
 void expect_repeats(const Sheet& sheet, const Layout& layout, const Items& items, const Request& request) {
   if (!layout.label) return;
   const std::string title = in_quotes(sheet.titles()[*layout.label]);
@@ -130,7 +133,7 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
   return items;
 }
 
-// Asks which way is better in a column; `are_others_said`: of other columns it is known.
+// Asks whether smaller or larger is better in a column. `are_others_said`: for other columns that is known.
 [[noreturn]] void ask_better(const Sheet& sheet, const std::string& title, bool is_one_of_several,
                              bool are_others_said) {
   MissingOption question(sheet.said(
@@ -141,25 +144,26 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
   throw question;
 }
 
-// Returns which way is better for each title. Asks if the user did not say it: no name or number does.
+// Returns for each title whether smaller or larger is better. Asks if the user did not say so, because no name and no
+// number does.
 std::vector<Better> better_of(const Sheet& sheet, const Request& request, const std::vector<std::string>& titles) {
-  std::map<std::string_view, std::string_view> said;  // "": of all
+  std::map<std::string_view, std::string_view> directions;  // by column; "": for all columns
   for (const std::string_view option : request.better) {
-    const std::size_t at = option.rfind('=') + 1;  // 0: of all
-    const std::string_view way = option.substr(at), column = option.substr(0, at > 0 ? at - 1 : 0);
-    if (way != "smaller" && way != "larger")
+    const std::size_t at = option.rfind('=') + 1;  // 0: for all columns
+    const std::string_view direction = option.substr(at), column = option.substr(0, at > 0 ? at - 1 : 0);
+    if (direction != "smaller" && direction != "larger")
       sheet.refuse(fmt::format("--better {}; expected smaller, larger or COLUMN=larger", in_quotes(option)));
     if (!column.empty() && std::ranges::count(titles, column) == 0)
       sheet.refuse(
           fmt::format("--better {}: {}", in_quotes(option), base::unknown_name("column of values", column, titles)));
-    if (said.try_emplace(column, way).first->second != way)
+    if (directions.try_emplace(column, direction).first->second != direction)
       sheet.refuse(fmt::format("--better {} contradicts an earlier --better; expected one of them", in_quotes(option)));
   }
   std::vector<Better> better;
   for (const std::string& title : titles) {
-    const std::string_view way = said.contains(title) ? said[title] : said[""];
-    if (way.empty()) ask_better(sheet, title, titles.size() > 1, !request.better.empty());
-    better.push_back(way == "larger" ? Better::larger : Better::smaller);
+    const std::string_view direction = directions.contains(title) ? directions[title] : directions[""];
+    if (direction.empty()) ask_better(sheet, title, titles.size() > 1, !request.better.empty());
+    better.push_back(direction == "larger" ? Better::larger : Better::smaller);
   }
   return better;
 }
@@ -172,10 +176,10 @@ MetricSamples quantity_of(const std::string& title) {
   return samples;
 }
 
-// Rows without a value, of those that a group should have: in a block as many as any group has, since all had the same
-// problems; a run without a block may end early.
+// The rows without a value, among those that a group should have. In a block that is the largest number of rows of any
+// group, since all groups had the same problems. A run without a block may end early.
 struct Gaps {
-  std::vector<Index> rows_of_unit;         // where there are blocks
+  std::vector<Index> rows_of_unit;         // empty if there are no blocks
   std::vector<std::size_t> missing, rows;  // by group
 
   bool are_any() const {
@@ -209,7 +213,7 @@ Gaps gaps_of(const Layout& layout, const Items& items) {
   return gaps;
 }
 
-// Asks what missing values count as, if nobody said it.
+// Asks what missing values count as, if the user did not say so.
 void ask_about(const Gaps& gaps, const Sheet& sheet, const Items& items, const Request& request) {
   if (!request.missing.empty() || !gaps.are_any()) return;
   std::vector<std::string> who;
@@ -228,23 +232,23 @@ void ask_about(const Gaps& gaps, const Sheet& sheet, const Items& items, const R
   throw question;
 }
 
-// The value of a group in a unit in which rows are missing, each as no answer.
+// Returns the value of a group in a unit with missing rows, each of which counts as no answer.
 double worst_value(const MetricSamples& samples, double sum, double rows, double missing) {
   const bool is_larger_better = samples.better == Better::larger;
   if (is_proportion(samples)) return (sum + (is_larger_better ? 0 : missing)) / (rows + missing);
   return is_larger_better ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
 }
 
-// Makes the sample of one group, one value per unit.
-Sample measured_in(const Layout& layout, std::span<const Mean> means, const Gaps& gaps, const Request& request,
-                   const MetricSamples& samples) {
+// Returns the sample of one group, with one value per unit.
+Sample sample_in(const Layout& layout, std::span<const Mean> means, const Gaps& gaps, const Request& request,
+                 const MetricSamples& samples) {
   Sample measured;
   const bool is_worst = request.missing == "worst";
   const auto add = [&](Index unit, double value) {
     measured.values.push_back(value);
     if (layout.block && request.missing == "drop" && gaps.are_any()) measured.blocks.push_back(static_cast<int>(unit));
   };
-  Index next = 0;  // unit of a block that was not seen
+  Index next = 0;  // the next unit that no row had yet
   const auto add_absent = [&](Index end) {
     for (; next < end; ++next) add(next, worst_value(samples, 0, 0, gaps.rows_of_unit[next]));
   };
@@ -259,15 +263,15 @@ Sample measured_in(const Layout& layout, std::span<const Mean> means, const Gaps
       add(mean.unit, static_cast<double>(mean.sum / mean.rows));
   }
   if (layout.block && is_worst) add_absent(static_cast<Index>(gaps.rows_of_unit.size()));
-  // Such as time-outs have no end that anybody knows, so they repeat nothing.
+  // Infinite values, such as time-outs, have no end that is known, so they repeat nothing.
   const std::vector<double>& values = measured.values;
   measured.is_constant = values.size() > 1 && std::isfinite(values.front()) &&
                          std::ranges::count(values, values.front()) == std::ssize(values);
   return measured;
 }
 
-// The warnings about values that are missing, no answers, or without a label.
-void add_doubts(const Items& items, const Gaps& gaps, const Request& request, MetricSamples& samples) {
+// Adds the warnings about values that are missing, that are no answers, or that have no label.
+void add_warnings(const Items& items, const Gaps& gaps, const Request& request, MetricSamples& samples) {
   Warning missing{.kind = WarningKind::incomplete,
                   .detail = request.missing == "worst" ? "rows have no value and count as no answer"
                                                        : "rows have no value and are left out"};
@@ -285,7 +289,7 @@ void add_doubts(const Items& items, const Gaps& gaps, const Request& request, Me
     add(missing, items.groups[i], gaps.missing[i]);
     add(without, items.groups[i], infinite[i]);
     for (Warning* const warning : {&missing, &without}) warning->total += static_cast<double>(gaps.rows[i]);
-    if (!has_values) continue;  // it is not compared
+    if (!has_values) continue;  // such a group is not compared
     least = std::min(least, gaps.share(i));
     most = std::max(most, gaps.share(i));
   }
@@ -302,7 +306,7 @@ void add_doubts(const Items& items, const Gaps& gaps, const Request& request, Me
     if (warning->count > 0) samples.warnings.push_back(std::move(*warning));
 }
 
-// Where no number of a group differs from block to block, the blocks may be one measurement that was copied.
+// Adds a warning if no value of a group differs from block to block: the blocks may be one measurement that was copied.
 void warn_of_copies(MetricSamples& samples) {
   if (is_proportion(samples)) return;
   Warning copies{.kind = WarningKind::may_be_one_measurement};
@@ -311,7 +315,7 @@ void warn_of_copies(MetricSamples& samples) {
   if (copies.solvers.size() > 1) samples.warnings.push_back(std::move(copies));
 }
 
-// The values of each group.
+// Adds the values of all groups to the samples, and the warnings about these values.
 void fill(const Layout& layout, const Items& items, const Gaps& gaps, const Request& request, MetricSamples& samples) {
   samples.is_paired = layout.block.has_value();
   samples.may_hold_copies = !layout.block && request.run.empty() && !is_proportion(samples);
@@ -321,14 +325,13 @@ void fill(const Layout& layout, const Items& items, const Gaps& gaps, const Requ
   for (Index group = 0; group < items.groups.size(); ++group) {
     const std::span means(std::ranges::lower_bound(items.means, group, {}, &Mean::group),
                           std::ranges::upper_bound(items.means, group, {}, &Mean::group));
-    samples.groups.push_back(
-        {.name = items.groups[group], .sample = measured_in(layout, means, gaps, request, samples)});
+    samples.groups.push_back({.name = items.groups[group], .sample = sample_in(layout, means, gaps, request, samples)});
   }
-  add_doubts(items, gaps, request, samples);
+  add_warnings(items, gaps, request, samples);
   if (layout.block) warn_of_copies(samples);
 }
 
-// Chooses shares, ratios or differences by all values.
+// Chooses proportions, ratios or differences by all values, and notes the choice.
 void settle(const Items& items, MetricSamples& samples, std::vector<std::string>& notes) {
   const auto count = [&](auto is_so) { return std::ranges::count_if(items.values, is_so, &Value::value); };
   const auto shares = count([](double value) { return value == 0 || value == 1; });
@@ -343,7 +346,7 @@ void settle(const Items& items, MetricSamples& samples, std::vector<std::string>
   }
 }
 
-// Says what the rows were taken for.
+// Returns a sentence that says what the rows were taken for.
 std::string how_read(const Sheet& sheet, const Layout& layout, const Items& items,
                      const std::vector<std::string>& where) {
   const auto of = [&](Column column) {  // a title may be no noun
@@ -352,7 +355,7 @@ std::string how_read(const Sheet& sheet, const Layout& layout, const Items& item
   std::string text = base::counted(std::ssize(items.groups), layout.label ? "labels" : "columns") + of(layout.label);
   if (const Column unit = layout.block ? layout.block : layout.run)
     text += ", " + base::counted(items.units, layout.block ? "blocks" : "runs") + of(unit);
-  Index fewest = std::numeric_limits<Index>::max(), most = 0;  // of the means that have a value
+  Index fewest = std::numeric_limits<Index>::max(), most = 0;  // rows of a mean that has a value
   for (const Mean& mean : items.means) {
     if (mean.rows == 0) continue;
     fewest = std::min(fewest, mean.rows);
@@ -367,7 +370,7 @@ std::string how_read(const Sheet& sheet, const Layout& layout, const Items& item
   return text + '.';
 }
 
-// Adds which column makes more blocks, where they are too few for any verdict.
+// Notes which other column would make more blocks, if the blocks are too few for any verdict.
 void note_blocks(const Sheet& sheet, const Layout& layout, const Items& items, std::vector<std::string>& notes) {
   Columns others = layout.unused;
   if (layout.run) others.push_back(*layout.run);
@@ -396,7 +399,10 @@ Quantities values_in(Sheet& sheet, const Request& request) {
     const Items items = items_of(sheet, layout, layout.label ? Columns{layout.values[i]} : layout.values, request);
     MetricSamples samples = quantity_of(titles[i]);
     const auto name_of = [](const std::string& title) { return quantity_of(title).quantity; };
-    if (std::ranges::count(titles, samples.quantity, name_of) > 1) samples.quantity = titles[i], samples.unit.clear();
+    if (std::ranges::count(titles, samples.quantity, name_of) > 1) {
+      samples.quantity = titles[i];
+      samples.unit.clear();
+    }
     if (i == 0) quantities.notes.push_back(how_read(sheet, layout, items, request.where));
     if (i == 0 && !aggregates.empty())
       quantities.notes.push_back(
@@ -417,7 +423,8 @@ Quantities values_in(Sheet& sheet, const Request& request) {
   return quantities;
 }
 
-// Finds what --summaries needs. Asks how many values a mean has, where neither a column nor the request says it.
+// Returns the columns that --summaries needs. Asks how many values a mean has, if neither a column nor the request says
+// so.
 SummaryColumns expected_columns(const Sheet& sheet, const Request& request) {
   const SummaryColumns columns = summary_columns_of(sheet);
   for (const auto& [name, found] : {std::pair("mean", columns.mean), {"sd", columns.sd}})
@@ -432,7 +439,7 @@ SummaryColumns expected_columns(const Sheet& sheet, const Request& request) {
   throw question;
 }
 
-// The column of names. Of several columns of texts it is the one called so.
+// Returns the column of names: the one with this title, if there are several columns of texts.
 std::size_t label_of_summaries(Sheet& sheet, const Request& request, const SummaryColumns& columns, Column quantity) {
   Request known = request;
   known.values = {sheet.titles()[*columns.mean], sheet.titles()[*columns.sd]};
@@ -453,7 +460,10 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
   for (const Index row : sheet.rows()) {
     const std::string title(quantity ? sheet.cell(row, *quantity) : "value");
     const auto place = static_cast<std::size_t>(std::ranges::find(titles, title) - titles.begin());
-    if (place == titles.size()) titles.push_back(title), quantities.observed.push_back(quantity_of(title));
+    if (place == titles.size()) {
+      titles.push_back(title);
+      quantities.observed.push_back(quantity_of(title));
+    }
     MetricSamples& samples = quantities.observed[place];
     samples.kind = judge::Differences{};
     std::vector<Group>& groups = samples.groups;
@@ -471,7 +481,7 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
                                     .mean = number(*columns.mean, std::numeric_limits<double>::lowest()),
                                     .sd = number(*columns.sd, 0)};
     groups.push_back({.name = name, .sample = summary});
-    if (summary.sd > 0) continue;  // else, or if it was rounded away, the spread would decide everything
+    if (summary.sd > 0) continue;  // a spread of 0, which may have been rounded away, would decide everything
     groups.back().sample = ExcludedSample{.reason = ExclusionReason::zero_spread, .printed = summary};
     samples.warnings.push_back(
         {.kind = WarningKind::deterministic, .solvers = {name}, .count = size, .total = size, .detail = "value"});
@@ -479,6 +489,25 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
   const std::vector<Better> better = better_of(sheet, request, titles);
   for (std::size_t i = 0; i < titles.size(); ++i) quantities.observed[i].better = better[i];
   return quantities;
+}
+
+// A margin as the user wrote it.
+struct MarginText {
+  std::optional<double> number = {};  // empty: no number
+  bool is_relative = false;           // in percent of the values
+  bool has_no_share = false;          // values may be negative, so that a share of them means nothing
+};
+
+// Returns why a margin cannot be; null if it can. `largest` is the largest size of a value.
+const char* margin_error(const MarginText& margin, const MetricSamples& samples, double largest) {
+  const std::optional<double>& number = margin.number;
+  if (!number || !(*number >= 0) || !std::isfinite(*number)) return "expected 5%, or 0.1 in the unit of the values";
+  if (margin.is_relative && *number > 99) return "so all would be the same; expected at most 99%";
+  if (margin.is_relative && margin.has_no_share)
+    return "a share of values that may be negative means nothing; give a margin in their unit";
+  if (margin.is_relative) return nullptr;
+  if (is_proportion(samples)) return "shares differ by points; expected 5%";
+  return *number > largest ? "no value is as large, so all would be the same; a share is 5%" : nullptr;
 }
 
 }  // namespace
@@ -489,7 +518,7 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
 }
 
 AnalysisPlan with_margin(AnalysisPlan plan, const std::string& margin, MetricSamples& samples) {
-  double least = 0, largest = 0;  // of all values
+  double least = 0, largest = 0;  // among all values; largest in size
   for (const Group& group : samples.groups) {
     const auto* const summary = std::get_if<SummaryStatistics>(&group.sample);
     for (const double value : summary ? std::span(&summary->mean, 1) : values_of(group)) {
@@ -503,15 +532,8 @@ AnalysisPlan with_margin(AnalysisPlan plan, const std::string& margin, MetricSam
   if (margin.empty()) return plan;
   const bool is_relative = margin.ends_with('%');
   const auto number = base::number_from(std::string_view(margin).substr(0, margin.size() - is_relative));
-  const char* wrong =
-      !number || !(*number >= 0) || !std::isfinite(*number) ? "expected 5%, or 0.1 in the unit of the values"
-      : is_relative && *number > 99                         ? "so all would be the same; expected at most 99%"
-      : is_relative && has_no_share
-          ? "a share of values that may be negative means nothing; give a margin in their unit"
-      : !is_relative && is_proportion(samples) ? "shares differ by points; expected 5%"
-      : !is_relative && *number > largest      ? "no value is as large, so all would be the same; a share is 5%"
-                                               : nullptr;
-  if (wrong) throw std::invalid_argument(fmt::format("--margin {}: {}", in_quotes(margin), wrong));
+  if (const char* const error = margin_error({number, is_relative, has_no_share}, samples, largest))
+    throw std::invalid_argument(fmt::format("--margin {}: {}", in_quotes(margin), error));
   plan.margin = is_relative ? *number / 100 : 0;
   samples.absolute_margin = is_relative ? 0 : *number;
   return plan;

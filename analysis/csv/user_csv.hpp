@@ -1,4 +1,5 @@
-// A user's CSV as observations: long (a column of labels, one of values) or wide (a column of values for each group).
+// Reads a user's CSV into samples, for `ikbench stats`. The table is long (a column of labels and one of values) or
+// wide (a column of values per group). docs/your-own-csv.md is its documentation. Tables may have ten million rows.
 #pragma once
 
 #include <string>
@@ -10,21 +11,24 @@
 
 namespace ikbench::csv {
 
+// All quantities of a table.
 struct Quantities {
   std::vector<judge::MetricSamples> observed;
-  std::vector<std::string> notes = {};  // what the values settled, as sentences; they stand below the table of results
+  std::vector<std::string> notes = {};  // sentences below the table of results: how the table was read
 };
 
-// Rows without a label are left out and counted. A value that is missing is lost, and so is a mean of fewer rows than
-// others have; infinite ones stand for no answer. Values are compared by ratios; by differences if one is 0 or below.
-// Throws a Question where the layout or which way is better was not said; else std::invalid_argument, as Sheet does,
-// also for a row that sums up others and for a file of solves (`ikbench export`), which lacks what its report knows.
-// Summaries have columns n, mean, sd (or as usual), one of names, and metric where there are several quantities; of the
-// request, label, n, where, better and decimal count.
+// Reads a table. Rows without a label are left out and counted. A cell without a value is a missing value, and so is a
+// mean of fewer rows than others have. Infinite values stand for no answer. Values are compared by ratios, or by
+// differences if a value is 0 or below. Throws MissingOption if the layout is not known, or whether smaller or larger
+// is better. Throws std::invalid_argument, as Sheet does, also for a row that sums up others and for a file of solves
+// (`ikbench export`), which lacks what the report of its store knows. A table of summaries has columns n, mean, sd (or
+// their usual names), one of names, and metric if there are several quantities; only label, n, where, better and
+// decimal of the request count.
 Quantities read(std::string_view text, std::string_view source, const Request& request);
 
-// The plan with a margin, "5%"; or "0.1" in the unit of the values, which becomes theirs. Empty: the plan's, but none
-// of values that may be negative, of which a share means nothing.
+// Returns the plan with a margin such as "5%". A margin in the unit of the values, such as "0.1", is set in the
+// samples. If `margin` is empty, the plan keeps its margin, except that values that may be negative have none, because
+// a share of them means nothing. Throws std::invalid_argument for a margin that cannot be.
 judge::AnalysisPlan with_margin(judge::AnalysisPlan plan, const std::string& margin, judge::MetricSamples& samples);
 
 }  // namespace ikbench::csv

@@ -13,83 +13,7 @@ namespace ikbench::judge {
 
 namespace {
 
-// Where few values of a mean leave a finding open, of all whose means are such.
-void add_doubt(JudgedMetric& judged) {
-  Warning warning{.kind = WarningKind::dominated_by_few,
-                  .detail = (is_log_scale(judged.samples) ? "" : "mean ") + judged.samples.quantity};
-  const auto is_left = [](const Comparison& comparison) {
-    return is_not_tested(comparison, NotTestedReason::dominated);
-  };
-  if (std::ranges::none_of(judged.comparisons, is_left)) return;
-  for (const Group& group : judged.samples.groups)
-    if (!excluded(group) && is_dominated(group)) warning.solvers.push_back(group.name);
-  judged.samples.warnings.push_back(std::move(warning));
-}
-
-// Of the first that is better by ranks, though its median, or else its mean, is worse by more than the margin (a best
-// one's median: at all). Where each has its own targets, these say nothing of two.
-void add_doubt_of_ranks(JudgedMetric& judged) {
-  const MetricSamples& samples = judged.samples;
-  if (is_conditional_on_success(samples) || samples.min_blocks > 0 || judged.plan.test == AnalysisPlan::Test::means)
-    return;
-  const std::set<std::string> losers = beaten_solvers(judged.comparisons);
-  for (const Comparison& comparison : judged.comparisons) {
-    if (!std::holds_alternative<TestResult>(comparison.result) || !is_difference(verdict_of(comparison))) continue;
-    const Comparison its = better_first(comparison, "");
-    const Descriptives &one = judged.descriptives[its.first_index], &two = judged.descriptives[its.second_index];
-    const bool is_best = !losers.contains(its.first);  // and its median stands beside it
-    const bool is_median_worse = is_best && one.median != two.median
-                                     ? (one.median > two.median) == (samples.better == Better::smaller)
-                                     : is_worse_beyond_margin(samples, judged.plan, one.median, two.median);
-    if (!is_median_worse && !is_worse_beyond_margin(samples, judged.plan, one.mean, two.mean)) continue;
-    judged.samples.warnings.push_back({.kind = WarningKind::ranks_disagree,
-                                       .solvers = {its.first, its.second},
-                                       .detail = (is_median_worse ? "median " : "mean ") + samples.quantity});
-    return;
-  }
-}
-
-// The findings of a study beside which labels of another machine stand. Pairs of its own labels have the p that they
-// have without those. Each of those is compared with the control alone, and these pairs are a second family.
-std::vector<Comparison> findings_of(const JudgedMetric& metric, const ImportedResults& beside, std::size_t metrics) {
-  if (beside.labels.empty()) return compare(metric.samples, metric.plan, metrics);
-  MetricSamples own = metric.samples;
-  std::erase_if(own.groups, [&](const Group& group) { return beside.has(group.name); });
-  AnalysisPlan own_plan = metric.plan;
-  if (beside.is_control_chosen) own_plan.control.clear();
-  std::vector<Comparison> comparisons = compare(own, own_plan, metrics);
-  std::erase_if(comparisons, [&](const Comparison& comparison) {
-    return comparison.first != metric.plan.control && comparison.second != metric.plan.control;
-  });
-  MetricSamples others = metric.samples;
-  std::erase_if(others.groups,
-                [&](const Group& group) { return !beside.has(group.name) && group.name != metric.plan.control; });
-  for (Comparison& comparison : compare(others, metric.plan, metrics)) comparisons.push_back(std::move(comparison));
-  return comparisons;
-}
-
-// Where time alone ends solves at the deadline, what is solved is solved in time: two columns would be one.
-bool is_solved_by_another_name(const Metric& metric, const results::StudyDefinition& study) {
-  const bool is_solved_in_time = metric.quantity_kind == QuantityKind::time && metric.kind == MetricKind::success_rate;
-  return is_solved_in_time && study.has_tolerance() && study.stop.only_time_limits() &&
-         study.stop.seconds <= study.deadline();
-}
-
-// The word by which `then` of a plan names a metric; empty if none does.
-std::string_view then_word_of(const MetricSamples& samples) {
-  if (is_proportion(samples)) return "";
-  switch (samples.quantity_kind) {
-    case QuantityKind::time:
-      return "time";
-    case QuantityKind::evaluations:
-      return "evaluations";
-    case QuantityKind::motion:
-      return "motion";
-    default:
-      return "";
-  }
-}
-
+// Returns for each group whether it is worse than another one.
 std::vector<bool> beaten_groups(const JudgedMetric& judged) {
   std::vector<bool> is_beaten(judged.samples.groups.size());
   for (const Comparison& comparison : judged.comparisons) {
@@ -98,6 +22,97 @@ std::vector<bool> beaten_groups(const JudgedMetric& judged) {
     if (verdict == Verdict::worse) is_beaten[comparison.first_index] = true;
   }
   return is_beaten;
+}
+
+// Adds a warning if few values decide a mean, which leaves comparisons open, and names all groups with such means.
+void add_dominance_warning(JudgedMetric& judged) {
+  Warning warning{.kind = WarningKind::dominated_by_few,
+                  .detail = (is_log_scale(judged.samples) ? "" : "mean ") + judged.samples.quantity};
+  const auto is_left_open = [](const Comparison& comparison) {
+    return is_not_tested(comparison, NotTestedReason::dominated);
+  };
+  if (std::ranges::none_of(judged.comparisons, is_left_open)) return;
+  for (const Group& group : judged.samples.groups)
+    if (!excluded(group) && is_dominated(group)) warning.solvers.push_back(group.name);
+  judged.samples.warnings.push_back(std::move(warning));
+}
+
+// Returns whether the better group of a comparison has the worse median: by more than the margin, or, if no group beats
+// the better one, so that its median stands beside it in the headline, at all.
+bool is_median_worse(const JudgedMetric& judged, const Comparison& comparison, bool is_better_beaten) {
+  const double better = judged.descriptives[comparison.first_index].median;
+  const double worse = judged.descriptives[comparison.second_index].median;
+  if (is_better_beaten || better == worse) return is_worse_beyond_margin(judged.samples, judged.plan, better, worse);
+  return (better > worse) == (judged.samples.better == Better::smaller);
+}
+
+// Adds a warning for the first group that is better by ranks, although its median or its mean is worse. Groups that
+// have their own targets are left out, because their averages say nothing of a pair.
+void add_rank_warning(JudgedMetric& judged) {
+  const MetricSamples& samples = judged.samples;
+  if (is_conditional_on_success(samples) || samples.min_blocks > 0 || judged.plan.test == AnalysisPlan::Test::means)
+    return;
+  const std::vector<bool> is_beaten = beaten_groups(judged);
+  for (const Comparison& comparison : judged.comparisons) {
+    if (!std::holds_alternative<TestResult>(comparison.result) || !is_difference(verdict_of(comparison))) continue;
+    const Comparison ordered = better_first(comparison, "");
+    const bool is_by_median = is_median_worse(judged, ordered, is_beaten[ordered.first_index]);
+    const double better_mean = judged.descriptives[ordered.first_index].mean;
+    const double worse_mean = judged.descriptives[ordered.second_index].mean;
+    if (!is_by_median && !is_worse_beyond_margin(samples, judged.plan, better_mean, worse_mean)) continue;
+    judged.samples.warnings.push_back({.kind = WarningKind::ranks_disagree,
+                                       .solvers = {ordered.first, ordered.second},
+                                       .detail = (is_by_median ? "median " : "mean ") + samples.quantity});
+    return;
+  }
+}
+
+// Returns the comparisons of a metric. Pairs of the study's own labels have the p that they have without imported
+// results. Imported labels are compared only with the control, and these pairs are a second family.
+std::vector<Comparison> comparisons_of(const JudgedMetric& metric, const ImportedResults& imported,
+                                       std::size_t metrics) {
+  if (imported.labels.empty()) return compare(metric.samples, metric.plan, metrics);
+  MetricSamples own = metric.samples;
+  std::erase_if(own.groups, [&](const Group& group) { return imported.has(group.name); });
+  AnalysisPlan own_plan = metric.plan;
+  if (imported.is_control_chosen) own_plan.control.clear();
+  std::vector<Comparison> comparisons = compare(own, own_plan, metrics);
+  std::erase_if(comparisons, [&](const Comparison& comparison) {
+    return comparison.first != metric.plan.control && comparison.second != metric.plan.control;
+  });
+  MetricSamples others = metric.samples;
+  std::erase_if(others.groups,
+                [&](const Group& group) { return !imported.has(group.name) && group.name != metric.plan.control; });
+  for (Comparison& comparison : compare(others, metric.plan, metrics)) comparisons.push_back(std::move(comparison));
+  return comparisons;
+}
+
+// Returns whether a metric repeats "solved": if only time ends solves, and at the deadline, every solved target is
+// solved in time.
+bool repeats_solved(const Metric& metric, const results::StudyDefinition& study) {
+  const bool is_solved_in_time = metric.quantity_kind == QuantityKind::time && metric.kind == MetricKind::success_rate;
+  return is_solved_in_time && study.has_tolerance() && study.stop.only_time_limits() &&
+         study.stop.seconds <= study.deadline();
+}
+
+// Returns the word by which the tie-breakers of a plan name a metric; empty if no word does.
+std::string_view tie_breaker_of(const MetricSamples& samples) {
+  if (is_proportion(samples)) return "";
+  switch (samples.quantity_kind) {
+    case QuantityKind::time:
+      return "time";
+    case QuantityKind::evaluations:
+      return "evaluations";
+    case QuantityKind::motion:
+      return "motion";
+    case QuantityKind::other:
+    case QuantityKind::solved:
+    case QuantityKind::answered:
+    case QuantityKind::position:
+    case QuantityKind::angle:
+      break;
+  }
+  return "";
 }
 
 // Returns whether every unbeaten group beats all beaten ones, and is tested against every other unbeaten one.
@@ -128,47 +143,66 @@ std::vector<double> average_evaluations(const std::vector<Group>& groups, const 
   return averages;
 }
 
-// Some observation has a value, and if this is no share one is not 0.
+// Returns whether the samples say anything: a proportion needs a value, and another quantity a value that is not 0.
 bool has_meaning(const MetricSamples& samples) {
   return std::ranges::any_of(samples.groups, [&](const Group& group) {
     return std::ranges::any_of(values_of(group), [&](double value) { return value != 0 || is_proportion(samples); });
   });
 }
 
-}  // namespace
-
-JudgedMetric judge(MetricSamples observations, const AnalysisPlan& plan) {
-  std::vector<Comparison> comparisons = compare(observations, plan);
-  return judge(std::move(observations), plan, std::move(comparisons));
+// Returns the descriptives that readers see: the geometric mean of logarithms, and the share of all solves of a
+// proportion by session.
+Descriptives shown_descriptives(const MetricSamples& samples, const Group& group) {
+  const Descriptives descriptives = describe(group);
+  if (is_log_scale(samples)) return {.n = descriptives.n, .mean = std::exp(descriptives.mean)};
+  if (group.pooled_n > 0) return {.n = group.pooled_n, .mean = group.pooled_share};
+  return descriptives;
 }
 
-JudgedMetric judge(MetricSamples observations, const AnalysisPlan& plan, std::vector<Comparison> comparisons) {
-  JudgedMetric judged{.samples = std::move(observations), .plan = plan, .comparisons = std::move(comparisons)};
-  const MetricSamples& samples = judged.samples;
-  set_group_indices(judged.comparisons, samples);
-  for (const Group& group : samples.groups) {
-    const Descriptives its = describe(group);
-    judged.descriptives.push_back(is_log_scale(samples) ? Descriptives{.n = its.n, .mean = std::exp(its.mean)}
-                                  : group.pooled_n > 0  ? Descriptives{.n = group.pooled_n, .mean = group.pooled_share}
-                                                        : its);
-  }
-  add_doubt(judged);
-  add_doubt_of_ranks(judged);
+// Returns the column of the metric that decides a study.
+std::string_view deciding_column(const results::StudyDefinition& study, bool is_any_solved) {
+  if (!study.plan.metric.empty()) return study.plan.metric;
+  return is_any_solved ? "solved" : "position_error_cm";
+}
+
+// Returns whether reports show a metric that does not decide.
+bool is_reported(const Metric& metric, const results::StudyDefinition& study, bool is_any_solved, bool is_any_failed) {
+  const WhenReported here = is_any_failed ? WhenReported::if_some_fail : WhenReported::if_all_solve;
+  if (metric.when_reported != WhenReported::always && metric.when_reported != here) return false;
+  // If a target was solved, "solved" says which errors are small enough.
+  if (metric.kind == MetricKind::error && is_any_solved) return false;
+  return !repeats_solved(metric, study);
+}
+
+}  // namespace
+
+JudgedMetric judge(MetricSamples samples, const AnalysisPlan& plan) {
+  std::vector<Comparison> comparisons = compare(samples, plan);
+  return judge(std::move(samples), plan, std::move(comparisons));
+}
+
+JudgedMetric judge(MetricSamples samples, const AnalysisPlan& plan, std::vector<Comparison> comparisons) {
+  JudgedMetric judged{.samples = std::move(samples), .plan = plan, .comparisons = std::move(comparisons)};
+  set_group_indices(judged.comparisons, judged.samples);
+  for (const Group& group : judged.samples.groups)
+    judged.descriptives.push_back(shown_descriptives(judged.samples, group));
+  add_dominance_warning(judged);
+  add_rank_warning(judged);
   return judged;
 }
 
 double average_of(const JudgedMetric& judged, std::size_t group) {
-  const Descriptives& its = judged.descriptives[group];
-  const bool is_mean =
-      is_proportion(judged.samples) || judged.plan.test == AnalysisPlan::Test::means || std::isnan(its.median);
   if (missing_in(judged.samples.groups[group]) > 0) return unknown;
-  return is_mean ? its.mean : its.median;
+  const Descriptives& descriptives = judged.descriptives[group];
+  const bool is_mean =
+      is_proportion(judged.samples) || judged.plan.test == AnalysisPlan::Test::means || std::isnan(descriptives.median);
+  return is_mean ? descriptives.mean : descriptives.median;
 }
 
-std::vector<std::size_t> display_order(const JudgedMetric& judged, const std::vector<JudgedMetric>& all) {
+std::vector<std::size_t> display_order(const JudgedMetric& judged, const std::vector<JudgedMetric>& metrics) {
   const std::vector<bool> is_beaten = beaten_groups(judged);
   const bool are_clear = is_clear_order(judged.comparisons, is_beaten);
-  const std::vector<double> costs = average_evaluations(judged.samples.groups, all);
+  const std::vector<double> costs = average_evaluations(judged.samples.groups, metrics);
   std::vector<std::size_t> order(judged.descriptives.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) {
@@ -186,27 +220,19 @@ std::vector<std::size_t> display_order(const JudgedMetric& judged, const std::ve
 JudgedStudy make_all_samples(StudyResults study) {
   const results::StudyDefinition& definition = study.definition;
   const auto solved = std::ranges::count(study.solves, results::Status::ok, &SolveSummary::status);
-  const bool are_any_solved = definition.has_tolerance() && solved > 0;
+  const bool is_any_solved = definition.has_tolerance() && solved > 0;
   const std::vector<Metric> all = metrics_of(definition);
-  const Metric& deciding = metric_named(!definition.plan.metric.empty() ? definition.plan.metric
-                                        : are_any_solved                ? "solved"
-                                                                        : "position_error_cm",
-                                        all);
-  const bool do_some_fail = are_any_solved && !definition.is_chained() && solved < std::ssize(study.solves);
+  const Metric& deciding = metric_named(deciding_column(definition, is_any_solved), all);
+  const bool is_any_failed = is_any_solved && !definition.is_chained() && solved < std::ssize(study.solves);
   JudgedStudy judged;
   for (const Metric& metric : all) {
     const bool is_deciding = &metric == &deciding;
-    const bool is_told_by_solved = metric.kind == MetricKind::error && are_any_solved;
-    const bool is_told =
-        metric.when_reported == WhenReported::always ||
-        metric.when_reported == (do_some_fail ? WhenReported::if_some_fail : WhenReported::if_all_solve);
-    if (!is_deciding && (!is_told || is_told_by_solved)) continue;
-    if (!is_deciding && is_solved_by_another_name(metric, definition)) continue;
+    if (!is_deciding && !is_reported(metric, definition, is_any_solved, is_any_failed)) continue;
     MetricSamples samples = make_samples(study, metric);
     if (!is_deciding && !has_meaning(samples)) continue;
     if (is_deciding) judged.primary = judged.metrics.size();
     judged.metrics.push_back({.samples = std::move(samples), .plan = definition.plan});
-    if (metric.value_of == nullptr) judged.metrics.back().plan.margin = 0;  // a share of what may be below 0
+    if (metric.value_of == nullptr) judged.metrics.back().plan.margin = 0;  // values may be below 0
   }
   judged.warnings = study_warnings(study);
   judged.study = std::move(study);
@@ -217,7 +243,7 @@ JudgedStudy judge(StudyResults study) {
   JudgedStudy judged = make_all_samples(std::move(study));
   const std::size_t metrics = names_in_plan(judged.study.definition).size();
   for (JudgedMetric& metric : judged.metrics) {
-    std::vector<Comparison> comparisons = findings_of(metric, judged.study.imported, metrics);
+    std::vector<Comparison> comparisons = comparisons_of(metric, judged.study.imported, metrics);
     metric = judge(std::move(metric.samples), metric.plan, std::move(comparisons));
   }
   return judged;
@@ -228,10 +254,10 @@ std::vector<std::string> names_in_plan(const results::StudyDefinition& study) {
   std::string first = plan.metric;
   if (first.empty()) first = study.has_tolerance() ? "solved" : "error";
   std::vector<std::string> names{first};
-  std::string_view its_word;
-  if (!plan.metric.empty()) its_word = then_word_of(empty_samples(metric_named(plan.metric, metrics_of(study))));
+  std::string_view deciding_word;
+  if (!plan.metric.empty()) deciding_word = tie_breaker_of(empty_samples(metric_named(plan.metric, metrics_of(study))));
   for (const std::string& word : results::default_tie_breakers)
-    if (word != its_word && std::ranges::count(plan.tie_breakers, word) > 0) names.push_back(word);
+    if (word != deciding_word && std::ranges::count(plan.tie_breakers, word) > 0) names.push_back(word);
   return names;
 }
 
@@ -239,9 +265,9 @@ std::string name_in_plan(const JudgedStudy& study, const JudgedMetric& metric) {
   const std::vector<std::string> names = names_in_plan(study.study.definition);
   const JudgedMetric& deciding = study.metrics[study.primary];
   if (&metric == &deciding) return names.front();
-  const std::string_view word = then_word_of(metric.samples);
-  const auto has_word = [&](const JudgedMetric& each) { return then_word_of(each.samples) == word; };
-  // A word names one metric: else more of them would decide than share the significance.
+  const std::string_view word = tie_breaker_of(metric.samples);
+  const auto has_word = [&](const JudgedMetric& each) { return tie_breaker_of(each.samples) == word; };
+  // A word names only one metric, since otherwise more metrics would decide than share the significance.
   const bool is_first = &metric == &*std::ranges::find_if(study.metrics, has_word);
   const bool is_named = !word.empty() && is_first && !has_word(deciding) && std::ranges::count(names, word) > 0;
   return is_named ? std::string(word) : "";

@@ -1,4 +1,6 @@
-// A study, a user's file or two groups, judged: what tables, figures, screens and claims are made of.
+// Judges metrics: describes their groups, compares them, and adds warnings. Tables, figures, screens and claims of
+// papers are made of a JudgedMetric or a JudgedStudy. A study costs 150 bytes per solve and about 10 ms per pair of
+// solvers with thousands of values. docs/explanation/methods.md says how metrics are judged.
 #pragma once
 
 #include <cstddef>
@@ -11,47 +13,53 @@
 
 namespace ikbench::judge {
 
+// The samples of one metric with what was found in them.
 struct JudgedMetric {
   MetricSamples samples;
-  AnalysisPlan plan;                       // by which it was judged
-  std::vector<Descriptives> descriptives;  // one for each group
-  std::vector<Comparison> comparisons;     // one for each pair of the plan
+  AnalysisPlan plan;                       // the rules by which the metric was judged
+  std::vector<Descriptives> descriptives;  // one per group
+  std::vector<Comparison> comparisons;     // one per pair of the plan
 };
 
-// Describes the groups and adds the doubts of the findings, which are those of `compare`.
+// Describes the groups, and adds the warnings that follow from the comparisons. These were made by `compare`, also as
+// parts of a larger family, and name only groups of the samples.
 JudgedMetric judge(MetricSamples samples, const AnalysisPlan& plan, std::vector<Comparison> comparisons);
-// The same, with findings of these observations alone.
+// Compares and judges samples by themselves.
 JudgedMetric judge(MetricSamples samples, const AnalysisPlan& plan);
 
-// What tables, sentences and figures tell of a group: the mean of shares and where the plan compares means, else the
-// median; NaN where values are lost.
+// Returns the average of a group in tables, sentences and figures: the mean of proportions and of plans that compare
+// means, otherwise the median. NaN if values are missing.
 double average_of(const JudgedMetric& judged, std::size_t group);
-// Groups: those whom nobody beats, if each of them beats all others, the others by value, of equal ones that with fewer
-// evaluations (a metric of `all`), those that lost values.
-std::vector<std::size_t> display_order(const JudgedMetric& judged, const std::vector<JudgedMetric>& all);
+// Returns the groups in the order of display. Unbeaten groups come first, if they beat all others; then the groups by
+// their averages, and those with equal averages by their evaluations, which are one of `metrics`. Groups with missing
+// values come last.
+std::vector<std::size_t> display_order(const JudgedMetric& judged, const std::vector<JudgedMetric>& metrics);
 
+// A study with all of its reported metrics.
 struct JudgedStudy {
   StudyResults study;
-  // Those of reports, in the order of metrics.inc, if the study has them; and the deciding one. Where any target is
-  // solved no other error: solved says which are small enough.
+  // The deciding metric and those that reports show, in the order of metrics.inc. If any target was solved, no other
+  // error is among them, because "solved" says which errors are small enough.
   std::vector<JudgedMetric> metrics;
-  std::size_t primary = 0;  // metric of the headline: the plan's, else solved where any target is solved, else error
-  std::vector<Warning> warnings;  // of the whole study
+  std::size_t primary = 0;        // index of the deciding metric: the plan's; otherwise solved, or error if none was
+  std::vector<Warning> warnings;  // about the whole study
 };
 
-// Without descriptions and findings.
+// Makes the samples of all reported metrics, without descriptives and comparisons.
 JudgedStudy make_all_samples(StudyResults study);
-// Every pair has one p in a metric, whatever else is asked of the store: with the pairs of the study's own labels and
-// the metrics that its plan names. Pairs with a label of another machine (beside.hpp) are a family of their own.
+// Judges all reported metrics. A pair has the same p whatever else is asked of the store: its family are the pairs of
+// the study's own labels in the metrics that the plan names. Pairs with an imported label (data/imported.hpp) are a
+// family of their own.
 JudgedStudy judge(StudyResults study);
 
-// The names of the metrics that share the significance: the plan's `metric` (else "solved", or "error" without a
-// tolerance), and each word of `then` for another one.
+// Returns the names of the metrics that share the significance: first the plan's metric, otherwise "solved", or "error"
+// if the study has no tolerance; then each tie-breaker that names another metric.
 std::vector<std::string> names_in_plan(const results::StudyDefinition& study);
-// By which of these names the plan names a metric of this study; empty: by none.
+// Returns by which of these names the plan names a metric of this study; empty if the plan does not name the metric.
 std::string name_in_plan(const JudgedStudy& study, const JudgedMetric& metric);
 
-// Null if the study has no such metric, by its column.
+// Returns the metric with this column; null if the study has no such metric. Throws std::invalid_argument if no metric
+// has the column.
 const JudgedMetric* find_metric(const JudgedStudy& judged, std::string_view column);
 // Returns the comparison of two groups, in either order; null if the plan has no such pair. Searches all pairs: code
 // that asks for many of them makes a ComparisonTable.

@@ -16,10 +16,10 @@ using namespace results;
 
 std::vector<std::string> archive_settings() {
   const base::CsvTable settings = published::table(archive_name, "settings");
-  std::vector<std::string> all;
+  std::vector<std::string> options;
   for (std::size_t row = 0; row < settings.rows(); ++row)
-    all.push_back(fmt::format("{}={}", settings.cell(row, 0), settings.cell(row, 1)));
-  return all;
+    options.push_back(fmt::format("{}={}", settings.cell(row, 0), settings.cell(row, 1)));
+  return options;
 }
 
 StudyResults read_archive(const std::string& robot) {
@@ -71,10 +71,10 @@ void add_imported(StudyResults& study, const StudyResults& theirs) {
   if (control.empty()) control = study.labels.front();
   study.imported.origin = theirs.imported.origin;
   for (results::Series series : theirs.series) {
-    const Solves all = theirs.of(series.label);
-    const auto same = std::ranges::find_if(study.series, [&](const results::Series& its) {
-      return its.algorithm == time_reference_solver && series.algorithm == time_reference_solver &&
-             its.options == series.options && !study.imported.has(its.label);
+    const Solves solves = theirs.of(series.label);
+    const auto same = std::ranges::find_if(study.series, [&](const results::Series& own) {
+      return own.algorithm == time_reference_solver && series.algorithm == time_reference_solver &&
+             own.options == series.options && !study.imported.has(own.label);
     });
     if (study.imported.local_reference.empty() && same != study.series.end()) {
       study.imported.reference_seconds = describe_values(solve_times(theirs, series.label)).median;
@@ -85,10 +85,12 @@ void add_imported(StudyResults& study, const StudyResults& theirs) {
     study.labels.push_back(series.label);
     study.imported.labels.push_back(series.label);
     study.series.push_back(std::move(series));
-    for (SolveSummary solve : all) {
+    for (SolveSummary solve : solves) {
       if (solve.run > study.definition.runs) continue;
       solve.label = static_cast<int>(std::ssize(study.labels) - 1);
-      solve.timing = Timing::process, solve.is_self_timed = true, solve.was_preempted = false;  // which matters there
+      solve.timing = Timing::process;
+      solve.is_self_timed = true;
+      solve.was_preempted = false;  // matters only on the machine of the solve
       study.solves.push_back(solve);
     }
   }

@@ -1,4 +1,6 @@
-// Observations of one metric in groups, as `compare` and `describe` take them: what is odd was settled before.
+// The samples of one metric, one per group: the input of `compare` and `describe`. `sampling.hpp` makes them from
+// solves, `csv/user_csv.hpp` from a table. What must not be compared was settled before: groups with missing or
+// incomparable values arrive here as ExcludedSample.
 #pragma once
 
 #include <algorithm>
@@ -13,30 +15,47 @@
 
 namespace ikbench::judge {
 
+// The direction in which values are better.
 enum class Better { smaller, larger };
 
-// What a comparison estimates: first / second, first - second, or the difference of shares from 0 to 1. It belongs to
-// the metric, whatever the values are.
-enum class EffectScale { ratio, difference, share };
-
-// The kind of quantity, for code that treats some kinds specially. Times are compared where they are comparable,
-// whatever is made of them.
-enum class QuantityKind { other, solved, answered, position, angle, motion, time, evaluations };
-
-// What is known of a group: one of these.
-struct Sample {
-  std::vector<double> values = {};  // infinite: no answer, worse than any
-  std::vector<int> blocks = {};     // where paired: of each value, rising; none: those of all groups are the same
-  bool is_deterministic = false;    // the one value stands for all runs
-  bool is_constant = false;         // all values are one, and nobody knows whether the solver repeats itself
-  double effective_n = 0;           // of logarithms of costs: how many equal ones would tell as much
-  double solved_targets = 0;        // of the same: the targets solved
+// The effect that a comparison estimates.
+enum class EffectScale {
+  ratio,       // first / second
+  difference,  // first - second
+  share        // first - second of shares from 0 to 1
 };
-struct SummaryStatistics {  // as papers print it
+
+// The kind of quantity, for code that treats some kinds specially. A time is any metric made of times, such as the
+// share of targets that were solved in time, because times are compared only where they are comparable.
+enum class QuantityKind {
+  other,
+  solved,    // share of targets within the tolerance
+  answered,  // share of solves with any answer
+  position,  // position error
+  angle,     // orientation error
+  motion,    // motion of the joints
+  time,
+  evaluations
+};
+
+// The values of one group.
+struct Sample {
+  std::vector<double> values = {};  // +infinity stands for "no answer" and ranks behind every number
+  // The block of each value, ascending, if the design is paired. Empty: values with the same place belong together.
+  std::vector<int> blocks = {};
+  bool is_deterministic = false;  // the only value stands for all runs
+  bool is_constant = false;       // all values are equal, and nothing says whether they are repeats or copies
+  double effective_n = 0;         // logarithms of costs only: effective sample size; 0: not known
+  double solved_targets = 0;      // logarithms of costs only
+};
+
+// A sample as papers print it, without its values.
+struct SummaryStatistics {
   int n = 0;
   double mean = 0;
   double sd = 0;  // divided by n - 1
 };
+
 // Why a group takes part in no test. If several reasons hold, the first counts.
 enum class ExclusionReason {
   missing_values,   // some solves or rows have no value
@@ -45,33 +64,41 @@ enum class ExclusionReason {
   zero_spread,      // a printed deviation of 0, which would decide everything
   nothing_solved    // no target was solved, so no answer has a cost
 };
-struct ExcludedSample {  // not compared; what there is can be described
+
+// A sample that takes part in no test. The values that the group has can be described.
+struct ExcludedSample {
   ExclusionReason reason = ExclusionReason::missing_values;
-  int missing = 0;  // observations without a value
+  int missing = 0;  // number of missing values
   std::vector<double> values = {};
   std::optional<SummaryStatistics> printed = {};
 };
+
+// The data of a group: measured values, a printed summary, or an excluded sample.
 using GroupData = std::variant<Sample, SummaryStatistics, ExcludedSample>;
 
+// One solver, or one label of a file, with its sample.
 struct Group {
   std::string name = {};
   GroupData sample = {};
-  double tolerance = 0;     // values at or below count as this, the tolerance; 0: none
-  int pooled_n = 0;         // of shares by session: of all observations, whose share is
-  double pooled_share = 0;  // this; 0: what is described are the values
+  double tolerance = 0;     // smaller values count as this; 0: the metric has no tolerance
+  int pooled_n = 0;         // proportions by session only: number of solves; 0: the values are described
+  double pooled_share = 0;  // proportions by session only: share of these solves
 };
 
-// Null if it is compared.
+// Returns the excluded sample of a group; null if the group takes part in tests.
 inline const ExcludedSample* excluded(const Group& group) { return std::get_if<ExcludedSample>(&group.sample); }
+// Returns the values of a group; null if the group is excluded or has only a printed summary.
 inline const Sample* sample_of(const Group& group) { return std::get_if<Sample>(&group.sample); }
+// Returns whether the solver of a group is deterministic.
 inline bool repeats_itself(const Group& group) { return sample_of(group) && sample_of(group)->is_deterministic; }
+// Returns whether all values of a group are equal, and may be copies of one measurement.
 inline bool is_constant(const Group& group) { return sample_of(group) && sample_of(group)->is_constant; }
-// Observations without a value.
+// Returns how many values are missing.
 inline int missing_in(const Group& group) { return excluded(group) ? excluded(group)->missing : 0; }
-// All that a group has: of one that repeats itself one, of a summary none.
+// Returns all values that a group has: one of a deterministic solver, none of a printed summary.
 inline std::span<const double> values_of(const Group& group) {
-  if (const Sample* const its = sample_of(group)) return its->values;
-  if (const ExcludedSample* const its = excluded(group)) return its->values;
+  if (const Sample* const sample = sample_of(group)) return sample->values;
+  if (const ExcludedSample* const sample = excluded(group)) return sample->values;
   return {};
 }
 
@@ -95,18 +122,19 @@ struct LogCosts {
 // The kind of the values of a metric, with what only this kind has.
 using SampleKind = std::variant<Ratios, Differences, Proportions, LogCosts>;
 
+// All samples of one metric with the design: what the values are, and which belong together.
 struct MetricSamples {
-  std::string metric;    // of files and anchors: "error"
-  std::string quantity;  // "position error"
+  std::string metric;    // name in files and anchors: "error"
+  std::string quantity;  // name in text: "position error"
   std::string unit = {};
   QuantityKind quantity_kind = QuantityKind::other;
   Better better = Better::smaller;
   SampleKind kind = Ratios{};
-  double absolute_margin = 0;    // of the plan, in this unit
+  double absolute_margin = 0;    // margin of the plan in this unit; 0: the margin is relative
   double resolution = 0;         // values that differ by no more are equal
-  bool is_paired = false;        // values of one block belong together; without blocks, values[i]
-  bool may_hold_copies = false;  // rows of a file, of which nothing says that each is a measurement of its own
-  int min_blocks = 0;            // common blocks that a pair needs
+  bool is_paired = false;        // values of one block belong together
+  bool may_hold_copies = false;  // unpaired rows of a file, which nothing says are measurements of their own
+  int min_blocks = 0;            // common blocks that a pair needs, if values are made by session; otherwise 0
   std::vector<Group> groups = {};
   std::vector<Warning> warnings = {};
 };
@@ -135,13 +163,13 @@ inline int trials_per_value(const MetricSamples& samples) {
   const Proportions* const proportions = std::get_if<Proportions>(&samples.kind);
   return proportions == nullptr ? 1 : proportions->trials_per_value;
 }
-// Returns what a comparison of the metric estimates, if its values are not compared by means.
+// Returns the effect that a comparison estimates. Plans that compare means estimate differences in place of ratios.
 inline EffectScale effect_scale(const MetricSamples& samples) {
   if (std::holds_alternative<Differences>(samples.kind)) return EffectScale::difference;
   return is_proportion(samples) ? EffectScale::share : EffectScale::ratio;
 }
 
-// The place of a group; their number if there is none of this name.
+// Returns the index of the group with this name; the number of groups if no group has it.
 inline std::size_t index_of(const MetricSamples& samples, std::string_view name) {
   return static_cast<std::size_t>(std::ranges::find(samples.groups, name, &Group::name) - samples.groups.begin());
 }

@@ -23,7 +23,7 @@ namespace {
 constexpr double rounding_deg = 1e-9 / base::degree;
 constexpr double least_motion_deg = 1e-3;  // less is how a solver rounds, and moves no arm
 
-// A program or library that tells none has 0.
+// Returns whether the solver counts its iterations: an external or library solver that reports none has 0.
 bool counts_iterations(const SolveSummary& solve) {
   return solve.iterations > 0 || solve.counted_by != results::CountedBy::none;
 }
@@ -32,7 +32,7 @@ double of_answer(const SolveSummary& solve, double value) {
   return results::has_no_answer(solve.status) ? unknown : value;
 }
 
-// Unknown without a deadline.
+// Returns 1 if a target was reached in time, otherwise 0; NaN if the study has no deadline.
 double is_in_time(const SolveSummary& solve, const StudyResults& study) {
   const double deadline = study.definition.deadline();
   const bool is_solved = study.definition.has_tolerance() ? solve.status == Status::ok : has_answer(solve);
@@ -55,38 +55,46 @@ constexpr std::array rows{
 #undef METRIC
 };
 
-// An observation is a run, else a target.
+// Returns whether a value is a run; otherwise it is a target.
 bool are_runs(const StudyResults& study, const Metric& metric) {
   return metric.kind == MetricKind::per_run || study.definition.compares_runs();
 }
 
-// Below it errors are equal; 0 where the study has none.
+// Returns the error up to which errors count as equal; 0 if the study has no tolerance, or the metric is no error.
 double tolerance_of(const StudyResults& study, const Metric& metric) {
   const numerics::StopRule& stop = study.definition.stop;
   if (metric.kind != MetricKind::error) return 0;
   return metric.quantity_kind == QuantityKind::angle ? stop.tolerance_deg() : stop.tolerance_cm();
 }
 
-bool is_of_answers(const StudyResults& study, const Metric& metric) {
+// Returns whether a metric is the cost of reaching a target within the tolerance.
+bool is_cost_of_answers(const StudyResults& study, const Metric& metric) {
   return metric.kind == MetricKind::cost && study.definition.has_tolerance();
 }
 
-// What failed has no cost of an answer; along a path it has, for the next solve starts from there.
+// Returns whether only solved targets have a value. Along a path failed ones have a cost, too, because the next solve
+// starts where they ended.
 bool is_of_solved(const StudyResults& study, const Metric& metric) {
-  return is_of_answers(study, metric) && !study.definition.is_chained();
+  return is_cost_of_answers(study, metric) && !study.definition.is_chained();
 }
 
+// One value with the block that it belongs to.
 struct Value {
   int block;
   double value;
 };
 
-// Of the solves, by block; an observation is made of those of one.
+int block_of(const SolveSummary& solve, const StudyDefinition& definition, bool is_run) {
+  if (is_run) return solve.run;
+  return definition.draws_targets ? (solve.run - 1) * definition.points + solve.point : solve.point;
+}
+
+// Returns the values of all solves of a solver, in the order of their blocks.
 std::vector<Value> values_of(const StudyResults& study, const Metric& metric, std::string_view solver) {
   const StudyDefinition& definition = study.definition;
   const bool of_runs = are_runs(study, metric), of_solved = is_of_solved(study, metric);
   const double least = tolerance_of(study, metric);
-  // Where the arm stayed is no error of a solver that never moved it.
+  // If a solver never moved the arm, the error of the place where the arm stayed is not the solver's.
   const bool is_unknown = metric.kind == MetricKind::error && std::ranges::none_of(study.of(solver), has_answer);
   std::vector<Value> values;
   for (const Solves run : of_runs ? complete_runs_of(study, solver) : runs_of(study.of(solver))) {
@@ -96,43 +104,52 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, st
     }
     for (const SolveSummary& solve : run) {
       if (of_solved && solve.status != Status::ok) continue;
-      const int block = of_runs                    ? solve.run
-                        : definition.draws_targets ? (solve.run - 1) * definition.points + solve.point
-                                                   : solve.point;
       const double value = is_unknown ? unknown : metric.value(solve, study);
-      values.push_back({block, metric.kind == MetricKind::error && value < least ? least : value});
+      values.push_back(
+          {block_of(solve, definition, of_runs), metric.kind == MetricKind::error && value < least ? least : value});
     }
   }
   if (!std::ranges::is_sorted(values, {}, &Value::block)) std::ranges::stable_sort(values, {}, &Value::block);
   return values;
 }
 
-// The observations: the mean of each block, of times the median; NaN where a value is unknown.
-std::vector<Value> means_of(const std::vector<Value>& all, bool are_medians = false) {
+// Returns the average of a block; NaN if a value is unknown.
+double block_average(const std::vector<double>& values, bool is_median) {
+  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) return unknown;
+  const double average = is_median ? describe_values(values).median : summarise(values).mean;
+  return std::isfinite(average) ? average : unknown;
+}
+
+// Returns the average of each block. `solves` must be in the order of the blocks.
+std::vector<Value> means_of(const std::vector<Value>& solves, bool are_medians = false) {
   std::vector<Value> means;
   std::vector<double> values;
-  for (std::size_t i = 0; i < all.size();) {
-    const int block = all[i].block;
-    for (values.clear(); i < all.size() && all[i].block == block; ++i) values.push_back(all[i].value);
-    const bool is_known = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
-    const double value = !is_known ? unknown : are_medians ? describe_values(values).median : summarise(values).mean;
-    means.push_back({block, std::isfinite(value) ? value : unknown});
+  for (std::size_t i = 0; i < solves.size();) {
+    const int block = solves[i].block;
+    for (values.clear(); i < solves.size() && solves[i].block == block; ++i) values.push_back(solves[i].value);
+    means.push_back({block, block_average(values, are_medians)});
   }
   return means;
 }
 
-// What attempts spent by what they solved: of each observation a logarithm, so that their mean is that of the ratio of
-// the two sums, and their spread its error (the infinitesimal jackknife; Efron, The Jackknife, 1982, chapter 6). Tells
-// what they are worth (Kish, Survey Sampling, 1965), and the number solved.
-std::vector<Value> spent_by_solved(std::vector<Value> spent, const std::vector<Value>& solved, Sample& measured) {
-  double all_spent = 0, squares = 0, all_solved = 0;
-  for (const Value& each : spent) all_spent += each.value, squares += each.value * each.value;
-  for (const Value& each : solved) all_solved += each.value;
-  measured.effective_n = all_spent * all_spent / squares, measured.solved_targets = all_solved;
-  const auto n = static_cast<double>(spent.size());
-  for (std::size_t i = 0; i < spent.size(); ++i)
-    spent[i].value = std::log(all_spent / all_solved) + n * (spent[i].value / all_spent - solved[i].value / all_solved);
-  return spent;
+// Returns the cost of all attempts per success, as one logarithm per value: their mean is the logarithm of the ratio of
+// the two sums, and their spread gives its error (the infinitesimal jackknife; Efron, The Jackknife, 1982, chapter 6).
+// Sets the effective sample size (Kish, Survey Sampling, 1965) and the number of solved targets. `costs` and `solved`
+// must have the same blocks.
+std::vector<Value> cost_per_success(std::vector<Value> costs, const std::vector<Value>& solved, Sample& sample) {
+  double total_cost = 0, squares = 0, total_solved = 0;
+  for (const Value& cost : costs) {
+    total_cost += cost.value;
+    squares += cost.value * cost.value;
+  }
+  for (const Value& share : solved) total_solved += share.value;
+  sample.effective_n = total_cost * total_cost / squares;
+  sample.solved_targets = total_solved;
+  const auto n = static_cast<double>(costs.size());
+  for (std::size_t i = 0; i < costs.size(); ++i)
+    costs[i].value =
+        std::log(total_cost / total_solved) + n * (costs[i].value / total_cost - solved[i].value / total_solved);
+  return costs;
 }
 
 Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, const std::string& solver) {
@@ -142,15 +159,15 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   if (std::ranges::any_of(all, [=](const Value& each) { return each.value <= least; })) group.tolerance = least;
   std::vector<Value> values = means_of(all, uses_medians(metric));
   Sample measured;
-  if (metric.kind == MetricKind::ert || is_of_answers(study, metric)) {
+  if (metric.kind == MetricKind::ert || is_cost_of_answers(study, metric)) {
     const std::vector<Value> solved = means_of(values_of(study, metric_named("solved"), solver));
     if (!solved.empty() && std::ranges::all_of(solved, [](const Value& each) { return each.value == 0; })) {
       group.sample = ExcludedSample{.reason = ExclusionReason::nothing_solved};
       return group;
     }
-    if (metric.kind == MetricKind::ert) values = spent_by_solved(std::move(values), solved, measured);
+    if (metric.kind == MetricKind::ert) values = cost_per_success(std::move(values), solved, measured);
   }
-  const auto lost =
+  const auto missing =
       static_cast<int>(std::erase_if(values, [](const Value& each) { return !std::isfinite(each.value); }));
   for (const auto& [block, value] : values) {
     measured.values.push_back(value);
@@ -158,9 +175,9 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   }
   const bool are_equal = measured.values.size() > 1 &&
                          std::ranges::count(measured.values, measured.values.front()) == std::ssize(measured.values);
-  if (lost > 0)
+  if (missing > 0)
     group.sample = ExcludedSample{
-        .reason = ExclusionReason::missing_values, .missing = lost, .values = std::move(measured.values)};
+        .reason = ExclusionReason::missing_values, .missing = missing, .values = std::move(measured.values)};
   else if (!is_paired && are_equal && repeats_itself(study, solver))
     group.sample = Sample{.values = {measured.values.front()}, .is_deterministic = true};
   else
@@ -168,53 +185,77 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   return group;
 }
 
-// One value per session: the share solved in time, the logarithm of the median time of its targets, where all are
-// solved, or its part in the logarithm of all that was spent by all that was solved. The value shown is the one
-// compared.
+// The values of all solves of one session.
+struct SessionValues {
+  std::vector<double> values = {};
+  double sum = 0, solved = 0;
+};
+
+// Returns the values of a solver by session, without sessions that have an unknown value or no logarithm.
+std::map<int, SessionValues> values_by_session(const StudyResults& study, const Metric& metric,
+                                               const std::string& solver) {
+  std::map<int, SessionValues> sessions;
+  for (const SolveSummary& solve : study.of(solver)) {
+    SessionValues& session = sessions[solve.session];
+    const bool is_solved = solve.status == Status::ok;
+    session.values.push_back(is_of_solved(study, metric) && !is_solved ? unknown : metric.value(solve, study));
+    session.sum += session.values.back();
+    if (is_solved) ++session.solved;
+  }
+  std::erase_if(sessions, [&](const auto& each) {
+    const bool has_logarithm = metric.kind != MetricKind::ert || each.second.sum != 0;
+    return !std::isfinite(each.second.sum) || !has_logarithm;
+  });
+  return sessions;
+}
+
+// Returns one value per session: the share solved in time, or the logarithm of the median time. For costs per success
+// returns the values of `cost_per_success`, which are empty if no target was solved in these sessions.
+Sample sample_of_sessions(const std::map<int, SessionValues>& sessions, MetricKind kind) {
+  Sample sample;
+  std::vector<Value> costs, solved;
+  for (const auto& [session, each] : sessions) {
+    const double share = each.sum / static_cast<double>(each.values.size());
+    const double median = std::max(describe_values(each.values).median, 1e-9);
+    sample.values.push_back(kind == MetricKind::success_rate ? share : std::log(median));
+    sample.blocks.push_back(session);
+    costs.push_back({session, each.sum});
+    solved.push_back({session, each.solved});
+  }
+  sample.effective_n = static_cast<double>(sessions.size());        // no session decides by itself
+  sample.solved_targets = std::numeric_limits<double>::infinity();  // not limited, unless by cost_per_success
+  if (kind != MetricKind::ert) return sample;
+  sample.values.clear();
+  if (std::ranges::none_of(solved, [](const Value& each) { return each.value > 0; })) return sample;
+  for (const Value& each : cost_per_success(std::move(costs), solved, sample)) sample.values.push_back(each.value);
+  return sample;
+}
+
+// Returns the group of a solver with one value per session of `compared`. The average of such values is the one that
+// reports show. A group without such a session is excluded, with the values of all of its sessions.
 Group group_of_times(const StudyResults& study, const Metric& metric, const std::string& solver,
                      const std::set<int>& compared) {
-  struct Session {
-    std::vector<double> values = {};
-    double sum = 0, solved = 0;
-  };
   const bool is_share = metric.kind == MetricKind::success_rate, is_ert = metric.kind == MetricKind::ert;
+  std::map<int, SessionValues> sessions = values_by_session(study, metric, solver);
+  const auto is_not_compared = [&](const auto& each) { return !compared.contains(each.first); };
+  const bool is_comparable = !std::ranges::all_of(sessions, is_not_compared);
+  if (is_comparable) std::erase_if(sessions, is_not_compared);
   Group group{.name = solver};
-  std::map<int, Session> all;
-  bool is_any_solved = false;
-  for (const SolveSummary& solve : study.of(solver)) {
-    Session& its = all[solve.session];
-    const bool is_solved = solve.status == Status::ok;
-    its.values.push_back(is_of_solved(study, metric) && !is_solved ? unknown : metric.value(solve, study));
-    its.sum += its.values.back(), its.solved += is_solved, is_any_solved |= is_solved;
-  }
-  std::erase_if(all, [&](const auto& each) {
-    return !std::isfinite(each.second.sum) || (is_ert && each.second.sum == 0);  // which has no logarithm
-  });
-  const auto is_apart = [&](const auto& each) { return !compared.contains(each.first); };
-  const bool are_apart = std::ranges::all_of(all, is_apart);
-  if (!are_apart) std::erase_if(all, is_apart);
-  Sample measured;
-  std::vector<Value> spent, solved;
-  for (const auto& [session, its] : all) {
-    const auto n = static_cast<double>(its.values.size());
-    measured.values.push_back(is_share ? its.sum / n : std::log(std::max(describe_values(its.values).median, 1e-9)));
-    measured.blocks.push_back(session);
-    spent.push_back({session, its.sum}), solved.push_back({session, its.solved});
-    if (is_share) group.pooled_n += static_cast<int>(n), group.pooled_share += its.sum;
+  if (is_share) {
+    for (const auto& [session, each] : sessions) {
+      group.pooled_n += static_cast<int>(each.values.size());
+      group.pooled_share += each.sum;
+    }
   }
   group.pooled_share /= std::max(1, group.pooled_n);
-  const bool is_solved_here = std::ranges::any_of(solved, [](const Value& each) { return each.value > 0; });
-  measured.effective_n = static_cast<double>(all.size());             // each is of a session, so none decides
-  measured.solved_targets = std::numeric_limits<double>::infinity();  // or what spent_by_solved says
-  if (is_ert) measured.values.clear();
-  if (is_ert && is_solved_here)
-    for (const Value& each : spent_by_solved(std::move(spent), solved, measured)) measured.values.push_back(each.value);
-  if (!are_apart && (!is_ert || is_solved_here))
-    group.sample = std::move(measured);
+  Sample sample = sample_of_sessions(sessions, metric.kind);
+  const bool is_any_solved = std::ranges::count(study.of(solver), Status::ok, &SolveSummary::status) > 0;
+  if (is_comparable && (!is_ert || !sample.values.empty()))
+    group.sample = std::move(sample);
   else if (!is_any_solved && !is_share && (is_ert || study.definition.has_tolerance()))
     group.sample = ExcludedSample{.reason = ExclusionReason::nothing_solved};
   else
-    group.sample = ExcludedSample{.reason = ExclusionReason::not_comparable, .values = std::move(measured.values)};
+    group.sample = ExcludedSample{.reason = ExclusionReason::not_comparable, .values = std::move(sample.values)};
   return group;
 }
 
@@ -234,7 +275,8 @@ SampleKind sample_kind(const Metric& metric) {
   return Ratios{.floor = metric.floor};
 }
 
-MetricSamples observe_times(const StudyResults& study, const Metric& metric) {
+// Returns the samples of a metric that is made of times.
+MetricSamples make_samples_by_session(const StudyResults& study, const Metric& metric) {
   MetricSamples samples = empty_samples(metric);
   samples.is_paired = true;
   if (metric.kind == MetricKind::cost) samples.kind = LogCosts{};
@@ -247,10 +289,24 @@ MetricSamples observe_times(const StudyResults& study, const Metric& metric) {
       samples.groups.push_back({.name = label, .sample = ExcludedSample{.reason = ExclusionReason::not_comparable}});
       continue;
     }
-    // A share of deadlines counts busy sessions, too: they are no random sample, and leaving them out would flatter.
+    // The share solved in time counts busy sessions, too. They are no random sample, so leaving them out would flatter.
     samples.groups.push_back(group_of_times(study, metric, label, is_share ? sessions.comparable : sessions.quiet[i]));
   }
   return samples;
+}
+
+// Returns the warnings about the values of a metric.
+std::vector<Warning> metric_warnings(const StudyResults& study, const Metric& metric) {
+  if (is_time_metric(metric)) return time_warnings(study);
+  if (metric.quantity_kind == QuantityKind::evaluations) return evaluation_warnings(study);
+  return clock_warnings(study);
+}
+
+// Returns whether a number of a study's check has a name that means a metric.
+bool is_metric_name(const Metric& known, const std::string& name) {
+  const std::string lower = base::lower_case(name);
+  return lower == known.column || lower == known.slug || lower == known.name || lower == "answered" ||
+         std::ranges::count(results::default_tie_breakers, lower) > 0;
 }
 
 }  // namespace
@@ -268,9 +324,7 @@ std::vector<Metric> metrics_of(const StudySpec& study) {
        {std::pair(&study.check.larger, Better::larger), {&study.check.smaller, Better::smaller}}) {
     for (const std::string& name : *names) {
       for (const Metric& known : all)
-        if (const std::string its = base::lower_case(name); its == known.column || its == known.slug ||
-                                                            its == known.name || its == "answered" ||
-                                                            std::ranges::count(results::default_tie_breakers, its) > 0)
+        if (is_metric_name(known, name))
           throw std::invalid_argument(fmt::format("[check] has the number {}, which is a metric already", name));
       all.push_back({name, name, name, "", MetricKind::cost, QuantityKind::other, 0, 0, WhenReported::always, nullptr,
                      all.size() - rows.size(), better});
@@ -294,20 +348,20 @@ MetricSamples empty_samples(const Metric& metric) {
 }
 
 MetricSamples make_samples(const StudyResults& study, const Metric& metric) {
-  MetricSamples samples = is_time_metric(metric) ? observe_times(study, metric) : make_samples_by_target(study, metric);
-  samples.warnings = is_time_metric(metric)                              ? time_warnings(study)
-                     : metric.quantity_kind == QuantityKind::evaluations ? evaluation_warnings(study)
-                                                                         : clock_warnings(study);
+  MetricSamples samples =
+      is_time_metric(metric) ? make_samples_by_session(study, metric) : make_samples_by_target(study, metric);
+  samples.warnings = metric_warnings(study, metric);
   Warning unsolved{.kind = WarningKind::times_not_comparable,
                    .detail = "too little is solved in the sessions that are compared"};
-  for (Group& group : samples.groups) {  // who is in doubt is described, and not compared
-    const bool is_doubted = std::ranges::any_of(samples.warnings, [&](const Warning& warning) {
+  for (Group& group : samples.groups) {  // a group with a warning is described, but not compared
+    const bool has_warning = std::ranges::any_of(samples.warnings, [&](const Warning& warning) {
       return warning.solvers.empty() || std::ranges::count(warning.solvers, group.name) > 0;
     });
-    const ExcludedSample* const its = excluded(group);
-    if (its && its->reason == ExclusionReason::not_comparable && !is_doubted && metric.kind != MetricKind::success_rate)
+    const ExcludedSample* const sample = excluded(group);
+    if (sample != nullptr && sample->reason == ExclusionReason::not_comparable && !has_warning &&
+        metric.kind != MetricKind::success_rate)
       unsolved.solvers.push_back(group.name);
-    if (its || !is_doubted) continue;  // a group that lost values stays so: the stronger reason
+    if (sample != nullptr || !has_warning) continue;  // missing values are the stronger reason
     const std::span<const double> values = judge::values_of(group);
     group.sample = ExcludedSample{.reason = ExclusionReason::not_comparable, .values = {values.begin(), values.end()}};
   }

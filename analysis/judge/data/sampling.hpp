@@ -1,5 +1,6 @@
-// The one door from solves to numbers that are compared: what is odd becomes a doubt here, and what passes is finite.
-// Metrics are the table of metrics.inc.
+// Turns the solves of a study into samples of metrics. This is the only place that does: incomparable solves become
+// warnings here, and every value that leaves is finite. The metrics are the table of metrics.inc and the numbers of a
+// study's own check. docs/explanation/methods.md says what a value of each metric is made of.
 #pragma once
 
 #include <span>
@@ -11,52 +12,65 @@
 
 namespace ikbench::judge {
 
-// share: solved or not. error: a distance from the target. cost: effort for an answer; with a tolerance, only of
-// targets that both solvers of a pair solved. spent: all that attempts took, by the number of targets solved, so that
-// who fails pays for it. run: its last solve has the value of all. Shares have a scale of their own, what a check gives
-// differences, all others ratios.
-enum class MetricKind { success_rate, error, cost, ert, per_run };
+// How values are made of solves, and how they are compared.
+enum class MetricKind {
+  success_rate,  // solved or not; compared as proportions
+  error,         // distance from the target
+  cost,          // effort for an answer; with a tolerance, only of targets that both solvers of a pair solved
+  ert,           // expected running time: cost of all attempts per solved target, so that failed attempts count
+  per_run        // one value per run, which is the value of its last solve
+};
 
-// In which reports: where a study has a tolerance, costs are of what was solved; if some of it was not, what was spent
-// stands in place of evaluations and time.
-enum class WhenReported { always, if_all_solve, if_some_fail, if_asked };
+// When a report shows a metric that does not decide.
+enum class WhenReported {
+  always,
+  if_all_solve,  // the study has no tolerance, no target was solved, or all were
+  if_some_fail,  // some targets were solved, and some were not
+  if_asked       // never, unless the plan names the metric as the deciding one
+};
 
+// One row of the table of metrics.
 struct Metric {
   std::string_view column;  // name in files and on the command line
-  std::string_view slug;    // of files and anchors
-  std::string_view name;    // in text
-  std::string_view unit;    // of its values; empty: none
+  std::string_view slug;    // name in files and anchors of a report
+  std::string_view name;    // name in text
+  std::string_view unit;    // empty: none
   MetricKind kind;
   QuantityKind quantity_kind;
-  double floor;       // of ratios: a smaller value counts as this
+  double floor;       // where ratios are compared, a smaller value counts as this
   double resolution;  // values that differ by no more are equal
   WhenReported when_reported;
-  double (*value_of)(const SolveSummary& solve,
-                     const StudyResults& study);  // NaN: the solve has none; null: of the check
-  std::size_t number = 0;                         // its place among those of the check
+  double (*value_of)(const SolveSummary& solve, const StudyResults& study);  // null: a number of the study's check
+  std::size_t number = 0;                                                    // index among the numbers of the check
   Better better = kind == MetricKind::success_rate ? Better::larger : Better::smaller;
 
+  // Returns the value of a solve; NaN if the solve has none.
   double value(const SolveSummary& solve, const StudyResults& study) const;
 };
 
+// Returns the metrics of metrics.inc.
 std::span<const Metric> metrics();
-// With the numbers of a study's check, which it outlives. Throws std::invalid_argument if one has a metric's name.
+// Returns these metrics and the numbers of a study's check, whose names belong to the study. Throws
+// std::invalid_argument if such a number has the name of a metric.
 std::vector<Metric> metrics_of(const results::StudySpec& study);
-// Throws std::invalid_argument, which lists all, if no row has this column.
+// Returns the metric with this column. Throws std::invalid_argument, which lists all columns, if no metric has it.
 const Metric& metric_named(std::string_view column, std::span<const Metric> all = metrics());
 
-// Its unit of comparison is a session, since what decides a time is drawn once for a process: memory, hashes, cores.
+// Returns whether a metric is made of times. Times are compared by session, not by solve: memory layout, hash seeds and
+// core are drawn once per process, so that solves of one session are not independent.
 inline bool is_time_metric(const Metric& metric) { return metric.quantity_kind == QuantityKind::time; }
-// Of several solves in an observation the median counts, else the mean.
+// Returns whether the median of the solves of a value counts, and not their mean.
 inline bool uses_medians(const Metric& metric) { return is_time_metric(metric) && metric.kind == MetricKind::cost; }
 
-// Without groups, and what a study adds.
+// Returns samples of a metric without groups, and without what depends on a study.
 MetricSamples empty_samples(const Metric& metric);
-// One observation is a run, the mean of its targets, where solves are chained or all runs have one target; else a
-// target, the mean of its runs, or of drawn targets its one solve. Of times it is a session: the logarithm of the
-// median over its targets, or its part in that of all time spent by all targets solved.
+// Returns the samples of a metric. If solves are chained, or all runs have one target, a value is a run: the mean of
+// its targets. Otherwise a value is a target: the mean of its runs, or the only solve of a drawn target. A value of
+// times is a session: the logarithm of the median of its solves, or its part in the time of all attempts per solved
+// target. Groups whose values must not be compared are excluded, and the warnings say why.
 MetricSamples make_samples(const StudyResults& study, const Metric& metric);
-// As papers print it: times, too, are of runs or targets, of each the median. Describes, and compares no times.
+// Returns the samples of a metric by run or target, as papers print them; times are medians. Times of these samples are
+// only for description, not for comparison.
 MetricSamples make_samples_by_target(const StudyResults& study, const Metric& metric);
 
 }  // namespace ikbench::judge

@@ -18,7 +18,7 @@ using namespace results;
 
 namespace {
 
-// -0.0 counts as 0.0; 0 is the hash of no numbers.
+// Returns a hash of the bits of all numbers, where -0.0 counts as 0.0; 0 if there are no numbers.
 std::uint64_t hash_of(std::initializer_list<std::span<const double>> lists) {
   std::uint64_t hash = 0;
   for (const std::span<const double> list : lists) {
@@ -30,11 +30,12 @@ std::uint64_t hash_of(std::initializer_list<std::span<const double>> lists) {
   return hash;
 }
 
-// The mean absolute second difference of all joint angles of a run, answer by answer.
-struct Bend {
-  std::vector<double> before = {}, here = {};  // the last two answers
+// The mean absolute second difference of all joint angles of a run, updated answer by answer.
+struct SecondDifference {
+  std::vector<double> before = {}, here = {};  // the last two answers [rad]
   double sum = 0, count = 0;
 
+  // Adds the next answer [rad]. Returns the mean until then [deg]; NaN before the third answer.
   double with(const std::vector<double>& after) {
     if (!before.empty() && (before.size() != here.size() || after.size() != here.size())) sum = unknown;
     for (std::size_t joint = 0; joint < std::min(before.size(), after.size()); ++joint, ++count)
@@ -45,12 +46,15 @@ struct Bend {
   }
 };
 
-// Of ||R - Rd|| / ||Rd||: for two rotations ||R - Rd|| is sqrt(8) sin(angle / 2), and ||Rd|| is sqrt(3). NaN stays NaN.
+// Returns the angle [deg] between two rotations from ||R - Rd|| / ||Rd||, since ||R - Rd|| is sqrt(8) sin(angle / 2)
+// and
+// ||Rd|| is sqrt(3). NaN stays NaN.
 double angle_deg(double orientation_error) {
   const double sine = orientation_error * std::sqrt(3.0 / 8);
   return 2 * std::asin(sine > 1 ? 1.0 : sine) / base::degree;
 }
 
+// Returns whether a joint moved further than it can within a period of the control loop.
 bool exceeds_velocity(const StudyDefinition& study, const SolveRecord& solve) {
   for (std::size_t j = 0; j < std::min({study.max_steps.size(), solve.start_rad.size(), solve.answer_rad.size()});
        ++j) {
@@ -61,45 +65,64 @@ bool exceeds_velocity(const StudyDefinition& study, const SolveRecord& solve) {
   return false;
 }
 
-// What its check refused, and the solvers' own numbers.
+// Adds the rejections of the study's check and the numbers that solvers reported of themselves.
 void add_extras(const SolveRecord& record, StudyResults& study) {
   const bool has_check = !study.definition.check.process.empty();
   for (const auto& [name, value] : record.extras) {
     if (has_check && name.starts_with(invalid_extra))
       ++study.rejections[record.label][name.substr(invalid_extra.size())];
     if (has_check && (name.starts_with(invalid_extra) || name.starts_with(check_extra))) continue;
-    const bool is_one_of_few = study.extras.contains(name) || std::ssize(study.extras) < max_extras;
+    const bool has_room = study.extras.contains(name) || std::ssize(study.extras) < max_extras;
     const bool is_metric = std::isfinite(value) && !name.starts_with(results::refused_prefix);
-    if (is_metric && is_one_of_few) study.extras[name][record.label].push_back(value);
+    if (is_metric && has_room) study.extras[name][record.label].push_back(value);
   }
 }
 
-// Adds a record to a study; they come by solver, run and point. The bend is of its run until here.
-void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
+void require_valid_record(const SolveRecord& record, const StudyResults& study) {
   if (record.run < 1 || record.point < 1)
     throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected them from 1",
                                             study.name, record.label, record.run, record.point));
   if (!record.trace_cm.empty() && study.plotted.size() >= max_traces)
     throw std::invalid_argument(
         fmt::format("study '{}' has too many solves with a trace; expected at most {}", study.name, max_traces));
-  const Solves earlier = study.of(record.label);
-  const bool is_of_first_run = earlier.empty() || earlier.front().run == record.run;
-  if (earlier.empty() || earlier.back().run != record.run) bend = {};
-  if (!record.trace_cm.empty() || (is_of_first_run && std::ssize(earlier) < max_plotted))
-    study.plotted.push_back(record);
-  std::vector<double> numbers;
+}
+
+// Returns whether the time of a solve was reported by an external solver: the stored time is then not the wall time.
+bool is_self_timed(const SolveRecord& record) {
+  return std::isfinite(record.wall_seconds) && record.seconds != record.wall_seconds;
+}
+
+// Adds the size and the time per pose of a batch.
+void add_batch(const SolveRecord& record, StudyResults& study) {
+  auto& [sizes, times] = study.batch_timings[record.label];
+  sizes.insert(record.batch_size);
+  if (std::isfinite(record.seconds) && !has_no_answer(record.status)) times.push_back(record.seconds);
+}
+
+std::vector<double> check_values(const SolveRecord& record, const StudyResults& study) {
+  std::vector<double> values;
   for (const std::string& name : study.definition.check.numbers())
     if (const auto found = record.extras.find(std::string(check_extra) + name); found != record.extras.end())
-      numbers.push_back(found->second);
+      values.push_back(found->second);
+  return values;
+}
+
+// Adds a record to a study. Records must come ordered by solver, run and point. `second_difference` carries that of the
+// current run from call to call.
+void add(const SolveRecord& record, SecondDifference& second_difference, StudyResults& study) {
+  require_valid_record(record, study);
+  const Solves earlier = study.of(record.label);
+  const bool is_of_first_run = earlier.empty() || earlier.front().run == record.run;
+  if (earlier.empty() || earlier.back().run != record.run) second_difference = {};
+  if (!record.trace_cm.empty() || (is_of_first_run && std::ssize(earlier) < max_plotted))
+    study.plotted.push_back(record);
   add_extras(record, study);
-  const bool is_self_timed = std::isfinite(record.wall_seconds) && record.seconds != record.wall_seconds;
   const double seconds = record.seconds;
   const bool is_single = record.timing != Timing::batch;
-  if (!is_single) study.batch_timings[record.label].first.insert(record.batch_size);
-  if (!is_single && std::isfinite(seconds) && !has_no_answer(record.status))
-    study.batch_timings[record.label].second.push_back(seconds);
+  if (!is_single) add_batch(record, study);
   const bool is_timed = record.timing == Timing::clean || record.timing == Timing::process;
-  const bool is_alone = record.timing == Timing::clean || (record.timing == Timing::process && is_self_timed);
+  const bool is_time_of_solver =
+      record.timing == Timing::clean || (record.timing == Timing::process && is_self_timed(record));
   const double period = study.definition.loop.period;
   study.solves.push_back(
       {.run = record.run,
@@ -112,8 +135,8 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
        .timing = record.timing,
        .counted_by = record.counted_by,
        .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
-       .was_preempted = is_alone && record.cpu_seconds > 0 && seconds > 1.1 * record.cpu_seconds,
-       .is_self_timed = is_self_timed,
+       .was_preempted = is_time_of_solver && record.cpu_seconds > 0 && seconds > 1.1 * record.cpu_seconds,
+       .is_self_timed = is_self_timed(record),
        .missed_deadline = is_timed && period > 0 && (seconds > period || has_no_answer(record.status)),
        .exceeds_velocity = exceeds_velocity(study.definition, record),
        .position_error_cm = record.position_error_cm,
@@ -122,18 +145,18 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
        .variation_m = record.variation_m,
        .largest_move_deg = record.largest_move_deg,
        .seconds = is_single ? seconds : unknown,
-       .second_difference_deg = bend.with(record.answer_rad),
+       .second_difference_deg = second_difference.with(record.answer_rad),
        .evaluations = record.evaluations,
        .iterations = record.iterations,
        .target = hash_of({record.target_position_m, record.target_rotation}),
        .start = hash_of({record.start_rad}),
        .answer = hash_of({record.answer_rad}),
-       .check_values = std::move(numbers)});
+       .check_values = check_values(record, study)});
 }
 
-// The same target, outcome and answer, bit for bit.
-bool are_same(const SolveSummary& one, const SolveSummary& other) {
-  return one.target == other.target && one.status == other.status && one.answer == other.answer;
+// Returns whether two solves have the same target, outcome and answer, bit for bit.
+bool are_same(const SolveSummary& first, const SolveSummary& second) {
+  return first.target == second.target && first.status == second.status && first.answer == second.answer;
 }
 
 }  // namespace
@@ -145,7 +168,7 @@ void require_same_targets(const StudyResults& study) {
   for (const SolveSummary& solve : study.solves) {
     const SolveSummary& here = *first.try_emplace(place(solve), &solve).first->second;
     if (here.target == solve.target && (here.start == solve.start || is_own(solve))) continue;
-    const auto label = [&](const SolveSummary& its) { return study.labels[static_cast<std::size_t>(its.label)]; };
+    const auto label = [&](const SolveSummary& each) { return study.labels[static_cast<std::size_t>(each.label)]; };
     throw std::invalid_argument(fmt::format(
         "study {}, run {}, point {}: {} and {} had different {}; expected one task for all, so solve it again into "
         "another folder",
@@ -179,53 +202,59 @@ bool uses_current_clock(const Session& session) { return session.environment.con
 
 std::string timed_calls_text(const StudyResults& study) {
   const std::set<std::string> states = environment_values(study, "state");
-  return states.empty()             ? ""
-         : states.contains("first") ? "first calls on a target"
-         : states.contains("hot")   ? "second calls on a target"
-                                    : "calls of runs in a row";
+  if (states.empty()) return "";
+  if (states.contains("first")) return "first calls on a target";
+  if (states.contains("hot")) return "second calls on a target";
+  return "calls of runs in a row";
 }
 
 SessionSets session_sets(const StudyResults& study) {
-  std::map<int, std::map<std::size_t, std::pair<int, int>>> counts;  // by session and solver: solves, those slowed
+  struct Counts {
+    int solves = 0, preempted = 0;
+  };
+  std::map<int, std::map<std::size_t, Counts>> sessions;  // by session and solver
   for (const SolveSummary& solve : study.solves) {
-    if (study.imported.has(study.labels[static_cast<std::size_t>(solve.label)])) continue;
-    auto& [all, slowed] = counts[solve.session][static_cast<std::size_t>(solve.label)];
-    ++all, slowed += solve.was_preempted;
+    const auto solver = static_cast<std::size_t>(solve.label);
+    if (study.imported.has(study.labels[solver])) continue;
+    Counts& counts = sessions[solve.session][solver];
+    ++counts.solves;
+    if (solve.was_preempted) ++counts.preempted;
   }
   const std::vector<std::set<int>> none(study.labels.size());
-  SessionSets sessions{.all = none, .complete = none, .quiet = none};
-  for (const auto& [session, solvers] : counts) {
-    const auto most = std::ranges::max_element(solvers, {}, [](auto& each) { return each.second.first; })->second.first;
-    const auto its = std::ranges::find(study.sessions, session, &Session::id);
-    const bool is_compared = its != study.sessions.end() && uses_current_clock(*its);
-    if (is_compared) sessions.comparable.insert(session);
-    for (const auto& [solver, count] : solvers) {
-      const bool is_busy = count.second > 1 && 10 * count.second > count.first;
-      sessions.all[solver].insert(session);
-      if (!is_compared || count.first < most) continue;
-      sessions.complete[solver].insert(session);
-      if (!is_busy) sessions.quiet[solver].insert(session);
+  SessionSets sets{.all = none, .complete = none, .quiet = none};
+  for (const auto& [session, solvers] : sessions) {
+    int most = 0;
+    for (const auto& [solver, counts] : solvers) most = std::max(most, counts.solves);
+    const auto stored = std::ranges::find(study.sessions, session, &Session::id);
+    const bool is_comparable = stored != study.sessions.end() && uses_current_clock(*stored);
+    if (is_comparable) sets.comparable.insert(session);
+    for (const auto& [solver, counts] : solvers) {
+      const bool is_busy = counts.preempted > 1 && 10 * counts.preempted > counts.solves;
+      sets.all[solver].insert(session);
+      if (!is_comparable || counts.solves < most) continue;
+      sets.complete[solver].insert(session);
+      if (!is_busy) sets.quiet[solver].insert(session);
     }
   }
-  return sessions;
+  return sets;
 }
 
 StudyResults read_study(const Store& store, const StoredStudy& entry, const SolveVisitor& also) {
-  const std::int64_t all = store.solve_count(entry);
-  if (all > max_solves)
+  const std::int64_t solves = store.solve_count(entry);
+  if (solves > max_solves)
     throw std::invalid_argument(
-        fmt::format("study '{}' has {} solves; expected at most {}", entry.name, all, max_solves));
+        fmt::format("study '{}' has {} solves; expected at most {}", entry.name, solves, max_solves));
   StudyResults study{entry};
   for (const Series& series : entry.series) {
     if (series.label.empty())
       throw std::invalid_argument(fmt::format("study '{}' has a solver without a label; expected one", entry.name));
     study.labels.push_back(series.label);
   }
-  study.solves.reserve(static_cast<std::size_t>(all));
-  Bend bend;
+  study.solves.reserve(static_cast<std::size_t>(solves));
+  SecondDifference second_difference;
   store.for_each_in_study(entry, [&](const SolveRecord& record) {
     if (also) also(record);
-    add(record, bend, study);
+    add(record, second_difference, study);
   });
   std::set<std::int64_t> used;
   for (const SolveSummary& solve : study.solves) used.insert(solve.session);
@@ -263,8 +292,8 @@ std::vector<Solves> complete_runs_of(const StudyResults& study, std::string_view
 bool repeats_itself(const StudyResults& study, std::string_view solver) {
   const std::vector<Solves> runs = complete_runs_of(study, solver);
   return runs.size() > 1 && std::ranges::all_of(runs, [&](Solves run) {
-           return std::ranges::equal(run, runs.front(), [](const SolveSummary& one, const SolveSummary& other) {
-             return one.answer != 0 && are_same(one, other);
+           return std::ranges::equal(run, runs.front(), [](const SolveSummary& solve, const SolveSummary& first) {
+             return solve.answer != 0 && are_same(solve, first);
            });
          });
 }
@@ -281,8 +310,8 @@ std::vector<double> solve_times(const StudyResults& study, std::string_view solv
 }
 
 bool are_identical(Solves solves, Solves others) {
-  return std::ranges::equal(solves, others, [](const SolveSummary& one, const SolveSummary& two) {
-    return one.run == two.run && one.point == two.point && are_same(one, two) && one.evaluations == two.evaluations;
+  return std::ranges::equal(solves, others, [](const SolveSummary& a, const SolveSummary& b) {
+    return a.run == b.run && a.point == b.point && are_same(a, b) && a.evaluations == b.evaluations;
   });
 }
 

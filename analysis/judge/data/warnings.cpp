@@ -20,16 +20,16 @@ using namespace results;
 
 namespace {
 
-using Doubts = std::vector<Warning>;
+using Warnings = std::vector<Warning>;
 
-// Adds a doubt, if it is about some solver.
-void add(Doubts& warnings, Warning warning) {
+// Adds a warning if it names a solver.
+void add(Warnings& warnings, Warning warning) {
   if (!warning.solvers.empty()) warnings.push_back(std::move(warning));
 }
 
-// Adds a doubt of all solvers with a count, which stands before of how many.
+// Adds one warning about all solvers with a count above 0. `counted` returns count and total of a solver.
 template <class Counted>
-void add_counts(Doubts& warnings, const StudyResults& study, Warning warning, Counted counted) {
+void add_counts(Warnings& warnings, const StudyResults& study, Warning warning, Counted counted) {
   for (const std::string& solver : study.labels) {
     const auto [count, total] = counted(solver);
     if (count <= 0) continue;
@@ -40,25 +40,28 @@ void add_counts(Doubts& warnings, const StudyResults& study, Warning warning, Co
   add(warnings, std::move(warning));
 }
 
-// Adds a doubt of all solves that are so, and of the solvers that made them.
-template <class Is>
-void add(Doubts& warnings, const StudyResults& study, Warning warning, Is is_so) {
+// Adds one warning about all solves that `is_meant`, with the solvers that made them.
+template <class IsMeant>
+void add(Warnings& warnings, const StudyResults& study, Warning warning, IsMeant is_meant) {
   add_counts(warnings, study, std::move(warning), [&](const std::string& solver) {
-    const Solves all = study.of(solver);
-    return std::pair(std::ranges::count_if(all, is_so), std::ssize(all));
+    const Solves solves = study.of(solver);
+    return std::pair(std::ranges::count_if(solves, is_meant), std::ssize(solves));
   });
 }
 
-// How solves were timed, if not as one alone of an optimised build.
-std::string odd_timing_of(const StudyResults& study) {
-  const auto is_any = [&](Timing how) { return std::ranges::count(study.solves, how, &SolveSummary::timing) > 0; };
-  return is_any(Timing::parallel) ? "solved in parallel" : is_any(Timing::debug_build) ? "a debug build" : "";
+// Returns why no time of a study can be compared, if solves ran in parallel or in a debug build; otherwise empty.
+std::string unusable_timing(const StudyResults& study) {
+  const auto is_any = [&](Timing timing) {
+    return std::ranges::count(study.solves, timing, &SolveSummary::timing) > 0;
+  };
+  if (is_any(Timing::parallel)) return "solved in parallel";
+  return is_any(Timing::debug_build) ? "a debug build" : "";
 }
 
-// Those that have fewer sessions than a test takes in common with most, who made the same ones.
+// Returns the solvers that share fewer sessions than a test needs with the sessions that most solvers have.
 std::vector<std::string> measured_apart(const StudyResults& study, const std::vector<std::set<int>>& sessions) {
   std::map<std::set<int>, std::size_t> solvers_of;
-  for (const std::set<int>& its : sessions) ++solvers_of[its];
+  for (const std::set<int>& of_solver : sessions) ++solvers_of[of_solver];
   const std::set<int> most = std::ranges::max_element(solvers_of, {}, [](const auto& each) {
                                return std::pair(each.first.size() >= min_sessions, each.second);
                              })->first;
@@ -70,26 +73,42 @@ std::vector<std::string> measured_apart(const StudyResults& study, const std::ve
   return apart;
 }
 
-// Whom a limit of the study gives fewest evaluations, and whom most. Of who is not limited it is what a solve took.
-void add_of_budgets(Doubts& warnings, const StudyResults& study) {
+// The evaluations that a solver could make in a solve.
+struct Budget {
+  bool is_limited = false;  // a limit of the study ended at least a tenth of the solves
+  double evaluations = 0;   // mean of the solves that a limit ended; if not limited, the largest number of a solve
+};
+
+Budget budget_of(Solves solves) {
+  double limited = 0, total = 0, largest = 0;
+  for (const SolveSummary& solve : solves) {
+    const auto evaluations = static_cast<double>(solve.evaluations);
+    largest = std::max(largest, evaluations);
+    if (solve.stop_reason != StopReason::iterations && solve.stop_reason != StopReason::evaluations) continue;
+    ++limited;
+    total += evaluations;
+  }
+  if (limited >= 0.1 * static_cast<double>(solves.size()) && total > 0) return {true, total / limited};
+  return {false, largest};
+}
+
+// Adds a warning if some solver may make 1.5 times as many evaluations as the one that the study limits most.
+void add_budget_warning(Warnings& warnings, const StudyResults& study) {
   if (study.definition.stop.seconds > 0) return;
+  const auto is_counted_here = [](const SolveSummary& solve) { return solve.counted_by == CountedBy::ikbench; };
   std::string fewest, most;
   double few = std::numeric_limits<double>::infinity(), many = 0;
   for (const std::string& solver : study.labels) {
-    double limited = 0, spent = 0, largest = 0;
-    const Solves all = study.of(solver);
-    if (!std::ranges::all_of(all, [](const SolveSummary& its) { return its.counted_by == CountedBy::ikbench; }))
-      continue;
-    for (const SolveSummary& solve : all) {
-      const auto evaluations = static_cast<double>(solve.evaluations);
-      largest = std::max(largest, evaluations);
-      if (solve.stop_reason != StopReason::iterations && solve.stop_reason != StopReason::evaluations) continue;
-      ++limited, spent += evaluations;
+    if (!std::ranges::all_of(study.of(solver), is_counted_here)) continue;
+    const Budget budget = budget_of(study.of(solver));
+    if (budget.is_limited && budget.evaluations < few) {
+      few = budget.evaluations;
+      fewest = solver;
     }
-    const bool is_limited = limited >= 0.1 * static_cast<double>(all.size()) && spent > 0;
-    const double budget = is_limited ? spent / limited : largest;
-    if (is_limited && budget < few) few = budget, fewest = solver;
-    if (budget > many) many = budget, most = solver;
+    if (budget.evaluations > many) {
+      many = budget.evaluations;
+      most = solver;
+    }
   }
   if (many < 1.5 * few) return;
   warnings.push_back({.kind = WarningKind::budgets_differ,
@@ -99,98 +118,121 @@ void add_of_budgets(Doubts& warnings, const StudyResults& study) {
                       .detail = fmt::format("budgets differ: {:.0f} and {:.0f} evaluations a solve", many, few)});
 }
 
-// By the stored plan: a command may judge by another.
-void add_of_plan(Doubts& warnings, const StudyResults& study) {
+// Adds a warning about solves that were made under another plan. The stored plan counts, because a command may judge by
+// another one.
+void add_plan_warning(Warnings& warnings, const StudyResults& study) {
   const base::Json definition = base::parsed_json(study.definition.json);
-  const base::Json plan = definition.value("analysis", base::Json::object());  // a stranger's store may have none
+  const base::Json plan = definition.value("analysis", base::Json::object());  // a foreign store may have no plan
   std::set<std::int64_t> others;                                               // sessions
   std::set<std::string> fields;
   for (const Session& session : study.sessions) {
     const auto recorded = session.environment.find("analysis");
     if (recorded == session.environment.end()) continue;
-    const base::Json then = base::parsed_json(recorded->second);
-    for (const auto& [field, value] : then.items())
-      if (plan.value(field, value) != value) others.insert(session.id), fields.insert(field);  // a field may be gone
+    const base::Json recorded_plan = base::parsed_json(recorded->second);
+    for (const auto& [field, value] : recorded_plan.items()) {
+      if (plan.value(field, value) == value) continue;  // a field that the plan no longer has counts as equal
+      others.insert(session.id);
+      fields.insert(field);
+    }
   }
   add(warnings, study, {.kind = WarningKind::plan_changed, .detail = fmt::format("{}", fmt::join(fields, ", "))},
       [&](const SolveSummary& solve) { return others.contains(solve.session); });
+}
+
+// Returns why no time of a study is compared; empty if times are compared.
+std::string reason_against_times(const StudyResults& study, const SessionSets& sessions) {
+  const bool is_sequential =
+      study.batch_timings.empty() || environment_values(study, "jobs") == std::set<std::string>{"1"};
+  if (!is_sequential) return "solved in parallel";
+  if (std::string reason = unusable_timing(study); !reason.empty()) return reason;
+  if (std::ranges::none_of(study.sessions, uses_current_clock)) return "of the clock of a former version";
+  const auto compared = std::ssize(sessions.comparable);
+  if (compared >= min_sessions) return "";
+  return fmt::format("{}, and {} are the fewest", base::counted(compared, "sessions"), min_sessions);
+}
+
+// Returns whether more than a tenth of the solves of an external solver have no self-reported time.
+bool reports_no_times(Solves solves) {
+  const auto has_no_own_time = [](const SolveSummary& solve) {
+    return solve.timing == Timing::process && !solve.is_self_timed && has_answer(solve);
+  };
+  return 10 * std::ranges::count_if(solves, has_no_own_time) > std::ssize(solves);
+}
+
+// Returns why a time limit gave solvers different chances, whatever each of them did; empty if not so.
+std::string reason_against_limits(const StudyResults& study) {
+  if (std::string reason = unusable_timing(study); !reason.empty()) return reason;
+  // Machines differ if their processors do, or both name and start: a machine that starts again keeps its name, and
+  // containers on a machine have names of their own.
+  const auto differ = [&](const char* fact) { return environment_values(study, fact).size() > 1; };
+  if (differ("cpu") || (differ("host") && differ("boot"))) return "several machines";
+  const std::vector<std::set<int>> sessions = session_sets(study).all;
+  std::set<std::set<int>> different(sessions.begin(), sessions.end());
+  different.erase(std::set<int>());  // of solvers without solves
+  return different.size() > 1 ? "measured in different sessions" : "";
+}
+
+// Returns whether more than a tenth of the solves, and more than one, were preempted.
+bool is_disturbed(Solves solves) {
+  const auto disturbed = std::ranges::count_if(solves, &SolveSummary::was_preempted);
+  return disturbed > 1 && 10 * disturbed > std::ssize(solves);
 }
 
 }  // namespace
 
 std::vector<Warning> time_warnings(const StudyResults& study) {
   const SessionSets sessions = session_sets(study);
-  const bool are_alone = study.batch_timings.empty() || environment_values(study, "jobs") == std::set<std::string>{"1"};
-  const auto compared = std::ssize(sessions.comparable);
-  std::string of_all = are_alone ? odd_timing_of(study) : "solved in parallel";
-  if (of_all.empty() && std::ranges::none_of(study.sessions, uses_current_clock))
-    of_all = "of the clock of a former version";
-  else if (of_all.empty() && compared < min_sessions)
-    of_all = fmt::format("{}, and {} are the fewest", base::counted(compared, "sessions"), min_sessions);
-  if (!of_all.empty()) return {{.kind = WarningKind::times_not_comparable, .detail = of_all}};
-  Doubts warnings;
-  std::set<std::string> told;  // one reason is enough
-  const auto add_of = [&](std::vector<std::string> who, const std::string& what) {
-    std::erase_if(who, [&](const std::string& solver) { return !told.insert(solver).second; });
-    add(warnings, {.kind = WarningKind::times_not_comparable, .solvers = std::move(who), .detail = what});
+  if (const std::string reason = reason_against_times(study, sessions); !reason.empty())
+    return {{.kind = WarningKind::times_not_comparable, .detail = reason}};
+  Warnings warnings;
+  std::set<std::string> named;  // one reason per solver is enough
+  const auto add_for = [&](std::vector<std::string> solvers, const std::string& reason) {
+    std::erase_if(solvers, [&](const std::string& solver) { return !named.insert(solver).second; });
+    add(warnings, {.kind = WarningKind::times_not_comparable, .solvers = std::move(solvers), .detail = reason});
   };
-  add_of(study.imported.labels, "solved " + study.imported.origin);
+  add_for(study.imported.labels, "solved " + study.imported.origin);
   std::vector<std::string> in_batches, silent;
-  for (const auto& [solver, its] : study.batch_timings) in_batches.push_back(solver);
-  add_of(std::move(in_batches), "asked in batches");
-  for (const std::string& solver : study.labels) {
-    const Solves all = study.of(solver);
-    const auto tells_none = [](const SolveSummary& solve) {
-      return solve.timing == Timing::process && !solve.is_self_timed && has_answer(solve);
-    };
-    if (10 * std::ranges::count_if(all, tells_none) > std::ssize(all)) silent.push_back(solver);
-  }
-  if (silent.size() < study.labels.size()) add_of(std::move(silent), "messages included");  // however often solved
-  add_of(measured_apart(study, sessions.complete),
-         "too few sessions in common with the others; solve all again: --out NEW");
-  add_of(measured_apart(study, sessions.quiet), "the machine was busy");
+  for (const auto& [solver, timing] : study.batch_timings) in_batches.push_back(solver);
+  add_for(std::move(in_batches), "asked in batches");
+  for (const std::string& solver : study.labels)
+    if (reports_no_times(study.of(solver))) silent.push_back(solver);
+  if (silent.size() < study.labels.size()) add_for(std::move(silent), "messages included");  // in every session
+  add_for(measured_apart(study, sessions.complete),
+          "too few sessions in common with the others; solve all again: --out NEW");
+  add_for(measured_apart(study, sessions.quiet), "the machine was busy");
   return warnings;
 }
 
 std::vector<Warning> clock_warnings(const StudyResults& study) {
   const double limit = study.definition.stop.seconds;
   if (limit == 0) return {};
-  // Machines differ if their processors do, or both name and start: one that starts again keeps its name, and
-  // containers on it have their own.
-  const auto differ = [&](const char* fact) { return environment_values(study, fact).size() > 1; };
-  const std::vector<std::set<int>> sessions = session_sets(study).all;
-  std::set<std::set<int>> different(sessions.begin(), sessions.end());
-  different.erase(std::set<int>());  // of who has no solves
-  std::string of_all = odd_timing_of(study);
-  if (of_all.empty() && (differ("cpu") || (differ("host") && differ("boot")))) of_all = "several machines";
-  if (of_all.empty() && different.size() > 1) of_all = "measured in different sessions";
-  Doubts warnings;
-  for (const bool is_beside : {false, true}) {
-    const std::string what = is_beside        ? "solved " + study.imported.origin
-                             : of_all.empty() ? "the machine was busy"
-                                              : of_all;
-    add_counts(
-        warnings, study, {.kind = WarningKind::time_limit_decides, .detail = what}, [&](const std::string& solver) {
-          const Solves all = study.of(solver);
-          const auto ended = std::ranges::count_if(all, [=](auto&its) { return its.seconds >= 0.9 * limit; }),
-                     disturbed =
-                         std::ranges::count_if(all, &SolveSummary::was_preempted);  // programs stop before the limit
-          const bool decides = is_beside || !of_all.empty() || (disturbed > 1 && 10 * disturbed > std::ssize(all));
-          return std::pair(decides && study.imported.has(solver) == is_beside ? ended : 0, std::ssize(all));
-        });
-  }
+  const std::string reason = reason_against_limits(study);
+  // External solvers stop a little before the limit.
+  const auto is_ended = [&](const SolveSummary& solve) { return solve.seconds >= 0.9 * limit; };
+  const auto add_for = [&](Warnings& warnings, bool is_imported, const std::string& detail) {
+    add_counts(warnings, study, {.kind = WarningKind::time_limit_decides, .detail = detail},
+               [&](const std::string& solver) {
+                 const Solves solves = study.of(solver);
+                 const bool decides = is_imported || !reason.empty() || is_disturbed(solves);
+                 const bool is_counted = decides && study.imported.has(solver) == is_imported;
+                 return std::pair(is_counted ? std::ranges::count_if(solves, is_ended) : 0, std::ssize(solves));
+               });
+  };
+  Warnings warnings;
+  add_for(warnings, false, reason.empty() ? "the machine was busy" : reason);
+  add_for(warnings, true, "solved " + study.imported.origin);
   return warnings;
 }
 
 std::vector<Warning> evaluation_warnings(const StudyResults& study) {
-  Doubts warnings = clock_warnings(study);
+  Warnings warnings = clock_warnings(study);
   add(warnings, study, {.kind = WarningKind::counts_not_comparable},
       [](const SolveSummary& solve) { return !has_no_answer(solve.status) && solve.counted_by != CountedBy::ikbench; });
   return warnings;
 }
 
 std::vector<Warning> study_warnings(const StudyResults& study) {
-  Doubts warnings;
+  Warnings warnings;
   const Warning missing{.kind = WarningKind::runs_missing, .detail = "runs missing or without some targets"};
   add_counts(warnings, study, missing, [&](const std::string& solver) {
     return std::pair(study.definition.runs - std::ssize(complete_runs_of(study, solver)), study.definition.runs);
@@ -200,14 +242,14 @@ std::vector<Warning> study_warnings(const StudyResults& study) {
   add(warnings, study, {.kind = WarningKind::misreported},
       [](const SolveSummary& solve) { return solve.status == Status::misreported; });
   add(warnings, study, {.kind = WarningKind::limit_violations}, &SolveSummary::is_outside_limits);
-  add_of_budgets(warnings, study);
+  add_budget_warning(warnings, study);
   if (const int count = study.definition.unreachable_targets; count > 0)
     warnings.push_back({.kind = WarningKind::unreachable_targets,
                         .count = static_cast<double>(count),
                         .total = static_cast<double>(study.definition.points)});
-  add_of_plan(warnings, study);
+  add_plan_warning(warnings, study);
   Warning repeating{.kind = WarningKind::deterministic};
-  if (!study.definition.draws_targets && study.definition.compares_runs())  // else paired
+  if (!study.definition.draws_targets && study.definition.compares_runs())  // otherwise paired
     std::ranges::copy_if(study.labels, std::back_inserter(repeating.solvers),
                          [&](const std::string& solver) { return repeats_itself(study, solver); });
   add(warnings, std::move(repeating));
@@ -216,7 +258,7 @@ std::vector<Warning> study_warnings(const StudyResults& study) {
 }
 
 std::string warning_text(const Warning& warning) {
-  // In the order of DoubtKind.
+  // In the order of WarningKind.
   static constexpr std::string_view sentences[]{
       "the plan was changed after {share} solves were made{of_whom}: {what}",
       "{share} {what}{of_whom}",
@@ -238,17 +280,19 @@ std::string warning_text(const Warning& warning) {
   std::string_view sentence = sentences[static_cast<std::size_t>(warning.kind)];
   if (warning.kind == WarningKind::deterministic && warning.detail.empty())
     sentence = "{who} gave the same answers in every run, which count as one";
-  const std::string who = names_of(warning.solvers, ", "),
+  const std::string names = names_of(warning.solvers, ", "),
                     share = fmt::format("{:.0f} of {:.0f}", warning.count, warning.total);
-  const auto if_any = [&](const char* before, const char* after) { return who.empty() ? "" : before + who + after; };
-  return fmt::format(fmt::runtime(sentence), fmt::arg("who", who), fmt::arg("of_whom", if_any(" (", ")")),
+  const auto if_any = [&](const char* before, const char* after) {
+    return names.empty() ? "" : before + names + after;
+  };
+  return fmt::format(fmt::runtime(sentence), fmt::arg("who", names), fmt::arg("of_whom", if_any(" (", ")")),
                      fmt::arg("of_who", if_any(" of ", "")), fmt::arg("share", share), fmt::arg("what", warning.detail),
                      fmt::arg("was", warning.solvers.size() == 1 ? "was" : "were"),
                      fmt::arg("to_do", warning.detail == "the machine was busy" ? "; solve again: --out NEW" : ""),
                      fmt::arg("count", std::llround(warning.count)),
                      fmt::arg("solves", counted(std::llround(warning.count), "solves")),
-                     fmt::arg("first", who.empty() ? who : warning.solvers.front()),
-                     fmt::arg("last", who.empty() ? who : warning.solvers.back()));
+                     fmt::arg("first", names.empty() ? names : warning.solvers.front()),
+                     fmt::arg("last", names.empty() ? names : warning.solvers.back()));
 }
 
 }  // namespace ikbench::judge

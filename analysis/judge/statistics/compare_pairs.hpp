@@ -1,5 +1,6 @@
-// Which of two is better: a finding for each pair of groups. When a number decides between groups, it is judged here,
-// whatever it is of: studies, files, gates, claims and readings have no other rule.
+// Compares groups pair by pair. Every comparison in the program goes through `compare`, so that studies, CSV files,
+// regression checks and papers' claims have one rule. A pair costs about 10 ms for thousands of values, and no pair
+// holds a copy of its values. docs/explanation/methods.md explains the tests and the correction of p.
 #pragma once
 
 #include <cstddef>
@@ -18,37 +19,49 @@ namespace ikbench::judge {
 
 using results::AnalysisPlan;
 
-// Of the first. same: within the margin. undecided: p decides nothing. not_tested: an open finding says why.
-enum class Verdict { better, worse, equivalent, inconclusive, not_tested };
+// The verdict about the first group of a comparison.
+enum class Verdict {
+  better,
+  worse,
+  equivalent,    // no difference is found, and the interval lies within the margin
+  inconclusive,  // neither a difference nor equivalence is shown
+  not_tested     // NotTested has the reason
+};
+// Returns the verdict in words, as sentences have it.
 std::string_view name_of(Verdict verdict);
 
+// The ratio of or the difference between two groups.
 struct EffectEstimate {
   double value = 0;
-  std::optional<Interval> interval = {};  // at 1 - significance / tested pairs; without 0 (ratios: 1) if p decides
+  // With confidence 1 - significance / size of the family. Excludes the null value (0, or 1 for ratios) if and only if
+  // p decides.
+  std::optional<Interval> interval = {};
 };
 
-// Shares of pairs or blocks in which the first is better, and worse. Their difference is Cliff's delta; A12 has equal
-// ones half (Vargha and Delaney, J. Educational and Behavioral Statistics 25 (2000) 101).
+// The shares of pairs of values, or of blocks, in which the first group is better, and in which it is worse. Their
+// difference is Cliff's delta.
 struct Dominance {
   double better = 0, worse = 0;
+  // Returns A12, which counts equal values half (Vargha and Delaney, J. Educational and Behavioral Statistics 25 (2000)
+  // 101).
   double a12() const { return (1 + better - worse) / 2; }
 };
 
+// The result of a test.
 struct TestResult {
   Verdict verdict = Verdict::inconclusive;
-  bool is_below_margin = false;             // a difference within the margin
-  double adjusted_p = 1;                    // times the tested pairs; below the significance it decides
-  std::optional<Dominance> dominance = {};  // none of summaries and of logarithms
-  std::optional<double> hedges_g = {};      // Hedges', of paired values g_av, where means decide (describe.hpp)
+  bool is_below_margin = false;             // a difference is found, and lies within the margin
+  double adjusted_p = 1;                    // p times the size of the family, at most 1
+  std::optional<Dominance> dominance = {};  // empty for printed summaries and for logarithms
+  std::optional<double> hedges_g = {};      // only where means decide; g_av for paired values (descriptives.hpp)
   std::string_view test = {};
-  int n = 0;           // observations, or common blocks; of the smaller group, or those that a solver that
-                       // repeats itself is held against
-  int required_n = 0;  // of undecided with p < 0.5: about how many could decide; 0: nobody knows
+  int n = 0;           // values of the smaller group, or those against one value of a deterministic solver; or blocks
+  int required_n = 0;  // if inconclusive: about how many values could decide; 0: not known
 };
 
-// Both solvers repeat themselves: no chance is in the difference.
+// Both solvers are deterministic: the difference is exact, and no test is needed.
 struct DeterministicResult {
-  Verdict verdict = Verdict::equivalent;  // better and worse by more than the margin
+  Verdict verdict = Verdict::equivalent;  // better or worse only by more than the margin
 };
 
 // Why no test decides a pair. If several reasons hold, the first counts. The first five are those of a group.
@@ -59,36 +72,40 @@ enum class NotTestedReason {
   zero_spread,       // a group has a printed deviation of 0, which would decide everything
   nothing_solved,    // a group solved no target, so that no answer has a cost
   no_answer,         // all values of both groups are infinite
-  copies,            // both groups have one number each, and nothing tells measurements from copies
+  copies,            // both groups have one number each, which may be a copied measurement
   sample_too_small,  // no data of this size could decide
   dominated          // one value is so much of a group's sum that its mean shows nothing better
 };
 // Returns the reason of a pair with a group that is excluded for this reason.
 NotTestedReason not_tested_reason(ExclusionReason reason);
 
+// A pair that no test decides.
 struct NotTested {
   NotTestedReason reason = NotTestedReason::sample_too_small;
-  int n = 0;           // observations of the smaller group, or common blocks
-  int required_n = 0;  // if too few: how many, in each group, could decide
+  int n = 0;           // values of the smaller group, or common blocks
+  int required_n = 0;  // if the sample is too small: values per group that could decide
 };
 
 // The result for one pair of groups in one metric.
 struct Comparison {
   std::string first = {}, second = {};            // names of the groups
   std::size_t first_index = 0, second_index = 0;  // the places of these groups in MetricSamples::groups
-  EffectScale scale = EffectScale::difference;    // of the amount; means have differences
-  std::optional<EffectEstimate> estimate =
-      {};  // of what is tested, if it does not refute the verdict; of facts, and of few
+  EffectScale scale = EffectScale::difference;    // of the estimate; differences where means decide
+  // Empty if nothing was tested, or if the estimate would refute the verdict.
+  std::optional<EffectEstimate> estimate = {};
   std::variant<TestResult, DeterministicResult, NotTested> result = NotTested();
 };
 
-// What every finding has in common.
-Verdict verdict_of(const Comparison& comparison);  // few that decide leave it undecided
+// Returns the verdict about the first group. A pair that few values would decide is inconclusive.
+Verdict verdict_of(const Comparison& comparison);
+// Returns the effect of two equal groups.
 constexpr double null_value(EffectScale scale) { return scale == EffectScale::ratio ? 1 : 0; }
+// Returns whether a pair is not tested for this reason.
 bool is_not_tested(const Comparison& comparison, NotTestedReason reason);
-bool all_values_equal(const Comparison& comparison);  // no value differs
+// Returns whether no value of the one group differs from one of the other.
+bool all_values_equal(const Comparison& comparison);
 
-// What decides the test, never how the values are spread:
+// Compares all pairs that the plan asks for. Design and plan decide the test, and never the spread of the values:
 //
 //   compared                                              unpaired                         paired
 //   shares of one trial                                   Fisher's exact                   McNemar's exact
@@ -96,38 +113,42 @@ bool all_values_equal(const Comparison& comparison);  // no value differs
 //   means; of printed summaries (never paired)
 //   other numbers, ratios by their logarithms             Brunner-Munzel and Mann-Whitney  signed ranks
 //   the same with a file's equal values, perhaps copies   sign test and Mann-Whitney       signed ranks
-//   runs with the value of a solver that repeats itself   sign test; shares and logarithms: one-sample t
+//   runs with the value of a deterministic solver         sign test; shares and logarithms: one-sample t
 //
-// A pair is decided at the significance divided by the number of pairs that data of these sizes can decide at all, and
-// by `metrics`, the number of metrics that share the significance. Throws std::invalid_argument if the control is no
-// group. Paired groups have one size without blocks, and ratios are of values above 0, or have a floor above it.
+// A pair is decided at the significance divided by the size of the family and by `metrics`. The family are the pairs
+// that samples of these sizes could decide at all; `metrics` is the number of metrics that share the significance.
+// Throws std::invalid_argument if the control is no group. Preconditions: paired groups without blocks have equal
+// sizes, and values that are compared by ratios are above 0, or have a floor above 0.
 std::vector<Comparison> compare(const MetricSamples& samples, const AnalysisPlan& plan, std::size_t metrics = 1);
 
-// One metric of several studies, such as those of the labels that two stores have: their pairs share the significance.
+// One metric of one study in a family of several, such as the studies of all labels that two stores have.
 struct FamilyMember {
   const MetricSamples* samples;
   const AnalysisPlan* plan;
 };
-// The findings of each member of a family.
+// Compares the pairs of all members, which share one significance. Returns the comparisons of each member.
 std::vector<std::vector<Comparison>> compare(const std::vector<FamilyMember>& family, std::size_t metrics);
 
-bool is_difference(Verdict verdict);                                       // better or worse
-Verdict reversed(Verdict verdict);                                         // of the second
-std::set<std::string> beaten_solvers(const std::vector<Comparison>& all);  // worse than another
+// Returns whether a verdict is better or worse.
+bool is_difference(Verdict verdict);
+// Returns the verdict about the second group.
+Verdict reversed(Verdict verdict);
+// Returns the names of the groups that are worse than another one.
+std::set<std::string> beaten_solvers(const std::vector<Comparison>& comparisons);
 
-// A mean: one value is more than half of the sum of all sizes; of costs per solved target few values are worth most of
-// it, or fewer than 4 are solved.
+// Returns whether few values decide the mean of a group: one value is more than half of the sum of all absolute values,
+// or, for costs per success, the effective sample size is too small or fewer than 4 targets were solved.
 bool is_dominated(const Group& group);
 
-// A mean or median is worse than another by more than the margin.
-bool is_worse_beyond_margin(const MetricSamples& samples, const AnalysisPlan& plan, double one, double other);
+// Returns whether an average is worse than another one by more than the margin.
+bool is_worse_beyond_margin(const MetricSamples& samples, const AnalysisPlan& plan, double value, double other);
 
 // Sets the indices of comparisons that were made of other samples, such as of a part of these groups. Throws
 // std::invalid_argument if a comparison names a group that the samples do not have.
 void set_group_indices(std::vector<Comparison>& comparisons, const MetricSamples& samples);
 
-// The same pair, told with its better one first, or if none is with its second where that is ahead; or else with the
-// control second.
+// Returns the comparison with the better group first. If neither is better, `is_second_ahead` swaps them. With a
+// control the control always comes second.
 Comparison better_first(Comparison comparison, std::string_view control, bool is_second_ahead = false);
 
 }  // namespace ikbench::judge

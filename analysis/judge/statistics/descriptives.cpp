@@ -37,9 +37,9 @@ Descriptives describe(const Group& group) {
   if (excluded(group) && excluded(group)->printed) printed = &*excluded(group)->printed;
   if (printed) return {.n = printed->n, .mean = printed->mean, .sd = printed->sd};
   const std::span<const double> values = values_of(group);
-  Descriptives its = describe_values({values.begin(), values.end()});
-  if (group.tolerance > 0) its.sd = unknown;
-  return its;
+  Descriptives descriptives = describe_values({values.begin(), values.end()});
+  if (group.tolerance > 0) descriptives.sd = unknown;
+  return descriptives;
 }
 
 std::optional<double> hedges_g(const SummaryStatistics& first, const SummaryStatistics& second) {

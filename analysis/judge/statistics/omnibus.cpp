@@ -13,7 +13,8 @@
 namespace ikbench::judge {
 namespace {
 
-bool has_chance(const Group& group) {  // in its values
+// Returns whether the values of a group were drawn by chance, and not by a deterministic solver.
+bool has_chance(const Group& group) {
   return std::holds_alternative<SummaryStatistics>(group.sample) ||
          (!excluded(group) && !repeats_itself(group) && !values_of(group).empty());
 }
@@ -24,7 +25,7 @@ OmnibusTest with_p(OmnibusTest test) {
   return test;
 }
 
-// None without spread but of rounding, or where squares of the largest numbers have no place in a double.
+// Returns whether F exists: the groups need a spread that is more than rounding, and sums of squares that are finite.
 bool has_f(const OmnibusTest& test) {
   return test.df_within >= 1 && test.ss_within > 1e-26 * test.ss_between && test.ss_within != 0 &&
          test.ss_between + test.ss_within < std::numeric_limits<double>::infinity();
@@ -35,24 +36,25 @@ OmnibusTest with_f(OmnibusTest test) {
   return with_p(test);
 }
 
-// Of the blocks that all groups have.
+// Returns the tests of repeated measures in the blocks that all groups have.
 std::vector<OmnibusTest> anova_of_blocks(std::vector<Group> groups) {
-  std::vector<Group*> all;
-  for (Group& group : groups) all.push_back(&group);
-  keep_common_blocks(all);
+  std::vector<Group*> pointers;
+  for (Group& group : groups) pointers.push_back(&group);
+  keep_common_blocks(pointers);
   std::vector<std::vector<double>> columns;
   for (Group& group : groups) columns.push_back(std::get<Sample>(group.sample).values);
   const std::size_t k = columns.size(), n = columns.front().size();
   if (n < 2) return {};
-  // What the values of a block have in common comes off before any sum: it decides nothing, and a huge one, such as a
-  // penalty in all groups, would leave its rounding in the sums.
+  // The common part of each block is subtracted before any sum. It decides nothing, and a huge one, such as a penalty
+  // in all groups, would leave its rounding in the sums.
   const std::vector<double> common = columns.front();
   std::vector<double> of_block(n), of_group(k);
   double mean = 0;
   for (std::size_t g = 0; g < k; ++g) {
     for (std::size_t i = 0; i < n; ++i) {
       const double value = columns[g][i] -= common[i];
-      of_group[g] += value / static_cast<double>(n), of_block[i] += value / static_cast<double>(k);
+      of_group[g] += value / static_cast<double>(n);
+      of_block[i] += value / static_cast<double>(k);
     }
     mean += of_group[g] / static_cast<double>(k);
   }
@@ -68,10 +70,10 @@ std::vector<OmnibusTest> anova_of_blocks(std::vector<Group> groups) {
       test.ss_within += columns[g][i] * columns[g][i];
     }
   }
-  double squares = 0;  // of the covariances of what is left
-  for (const auto& one : columns)
-    for (const auto& other : columns)
-      squares += std::pow(std::inner_product(one.begin(), one.end(), other.begin(), 0.0) / test.ss_within, 2);
+  double squares = 0;  // sum of the squared covariances of the residuals
+  for (const auto& first : columns)
+    for (const auto& second : columns)
+      squares += std::pow(std::inner_product(first.begin(), first.end(), second.begin(), 0.0) / test.ss_within, 2);
   test.epsilon = 1 / (test.df * squares);
   if (!has_f(test)) return {};
   test = with_f(test);
@@ -83,7 +85,8 @@ std::vector<OmnibusTest> anova_of_blocks(std::vector<Group> groups) {
                         .epsilon = test.epsilon})};
 }
 
-// The groups' own, or printed, less a common value, which keeps the digits that many equal leading ones would cost.
+// Returns the summaries of all groups, measured or printed. A common value is subtracted, which keeps the digits that
+// many equal leading ones would cost.
 std::vector<SummaryStatistics> summaries_of(const std::vector<Group>& groups) {
   const std::span<const double> of_first = values_of(groups.front());
   const double shift = of_first.empty() ? 0 : of_first.front();
@@ -100,7 +103,10 @@ std::vector<SummaryStatistics> summaries_of(const std::vector<Group>& groups) {
 std::vector<OmnibusTest> anova_of_groups(const std::vector<SummaryStatistics>& groups) {
   const auto k = static_cast<double>(groups.size());
   double n = 0, sum = 0;
-  for (const SummaryStatistics& group : groups) n += group.n, sum += group.n * group.mean;
+  for (const SummaryStatistics& group : groups) {
+    n += group.n;
+    sum += group.n * group.mean;
+  }
   OmnibusTest test{.name = "ANOVA", .df = k - 1, .df_within = n - k, .ss_between = 0, .ss_within = 0};
   for (const SummaryStatistics& group : groups) {
     test.ss_between += group.n * (group.mean - sum / n) * (group.mean - sum / n);
@@ -112,7 +118,8 @@ std::vector<OmnibusTest> anova_of_groups(const std::vector<SummaryStatistics>& g
   const auto weight = [](const SummaryStatistics& group) { return group.n / (group.sd * group.sd); };
   for (const SummaryStatistics& group : groups) {
     if (group.n < 2 || !(group.sd > 0)) return {with_f(test)};
-    weights += weight(group), mean += weight(group) * group.mean;
+    weights += weight(group);
+    mean += weight(group) * group.mean;
   }
   mean /= weights;
   for (const SummaryStatistics& group : groups) {

@@ -1,5 +1,5 @@
-// Omnibus tests: does any group differ from the others? Articles print them beside the verdicts of pairs; no verdict
-// rests on them.
+// Omnibus tests: does any group differ from the others? Articles print these tests beside the verdicts of pairs; no
+// verdict rests on them. docs/explanation/methods.md says when they are left out.
 #pragma once
 
 #include <cstddef>
@@ -12,33 +12,36 @@
 
 namespace ikbench::judge {
 
-// What assumes no equal spreads has no sums of squares.
+// An F test of all groups. Tests that do not assume equal spreads leave the sums of squares unknown (NaN).
 struct OmnibusTest {
   std::string_view name;
   double statistic = unknown;  // F
   double df = unknown, df_within = unknown;
   double p = unknown;
-  double ss_between = unknown, ss_within = unknown;  // within: of blocks the error, group x block
-  double epsilon = unknown;  // of blocks: how far the spreads of differences are alike, 1 / (k - 1) to 1
+  double ss_between = unknown;
+  double ss_within = unknown;  // with blocks: error, group x block
+  double epsilon = unknown;    // with blocks: how far the spreads of differences are alike, 1 / (k - 1) to 1
 
-  // Of blocks it is called partial, since the share of the blocks is left out.
+  // Returns the share of the groups in the sum of squares. With blocks it is a partial share, without that of the
+  // blocks.
   double eta_squared() const { return ss_between / (ss_between + ss_within); }
 };
 
-// One-way, of paired groups that of repeated measures (Fisher 1925), which assume equal spreads. None for fewer than
-// two groups, copies, lost or infinite values, or groups without spread. Then the same without that: one-way Welch's F
-// (Biometrika 38 (1951) 330), not where a group has no spread; of more than two paired groups with the degrees of
-// freedom of Greenhouse and Geisser (Psychometrika 24 (1959) 95).
+// Returns the analysis of variance of all groups (Fisher 1925), one-way or, for paired groups, of repeated measures,
+// and then the same test without the assumption of equal spreads: one-way Welch's F (Biometrika 38 (1951) 330), unless
+// a group has no spread; for more than two paired groups the degrees of freedom of Greenhouse and Geisser
+// (Psychometrika 24 (1959) 95). Empty for fewer than two groups, copies, missing or infinite values, or if no group has
+// a spread.
 std::vector<OmnibusTest> anova(const MetricSamples& samples);
-// Nemenyi's, of mean ranks of so many groups at 0.05 (Demsar, J. Machine Learning Research 7 (2006) 1). NaN for fewer
-// than 2 and more than 20 groups.
+// Returns Nemenyi's critical difference of mean ranks at 0.05 (Demsar, J. Machine Learning Research 7 (2006) 1). NaN
+// for fewer than 2 and for more than 20 groups.
 double critical_difference(std::size_t groups, std::size_t blocks);
-// These, of the groups with chance in their values, and the names of the others; none of shares and of
-// logarithms.
+// The analyses of variance of the groups that have chance in their values.
 struct OmnibusTests {
   std::vector<OmnibusTest> tests = {};
-  std::vector<std::string> without = {};
+  std::vector<std::string> without = {};  // names of the groups that are left out
 };
+// Returns no tests for proportions and for logarithms of costs.
 OmnibusTests omnibus_tests(MetricSamples samples);
 
 }  // namespace ikbench::judge

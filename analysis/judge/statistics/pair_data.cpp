@@ -7,10 +7,11 @@
 namespace ikbench::judge {
 namespace {
 
-// Relative: smaller than a difference in the fifteenth digit, the last that every double can tell.
+// The relative rounding of a double: smaller than a difference in the fifteenth digit, the last that every double
+// keeps.
 constexpr double rounding_of_doubles = 4 * std::numeric_limits<double>::epsilon();
 
-// Makes values equal that lie above the smallest of them by no more than its own rounding or theirs.
+// Makes values equal to the smallest of them if they lie above it by no more than the rounding of either.
 void remove_rounding(std::vector<double>& values, const std::vector<double>& roundings) {
   const std::vector<IndexedValue> order = sorted_with_index(values);
   for (std::size_t first = 0, next = 0; first < order.size(); first = next) {
@@ -18,18 +19,18 @@ void remove_rounding(std::vector<double>& values, const std::vector<double>& rou
     const auto is_equal = [&](const IndexedValue& other) {
       return other.first <= least.first + std::max(roundings[least.second], roundings[other.second]);
     };
-    // From the next on, since a NaN does not equal itself.
+    // Starts behind the first, since a NaN does not equal itself.
     for (next = first + 1; next < order.size() && is_equal(order[next]); ++next)
       values[order[next].second] = least.first;
   }
 }
 
-// Makes values equal that differ by no more than the rounding, or lie below a floor.
+// Makes values equal that differ by no more than the rounding, or lie below the floor.
 void settle(std::vector<double>& values, const MetricSamples& samples, bool has_floor) {
   std::vector<double> roundings;
   for (double& value : values) {
     value = has_floor ? std::max(value, floor_of(samples)) : value;
-    // No answer is no number, so none is equal to it.
+    // An infinite value stands for "no answer", which no number equals.
     roundings.push_back(std::isinf(value) ? 0 : std::max(samples.resolution, rounding_of_doubles * std::abs(value)));
   }
   remove_rounding(values, roundings);
@@ -44,14 +45,14 @@ bool is_one_value(const Group& group) {
   return values_of(group).size() == 1 || repeats_itself(group) || is_constant(group);
 }
 
-// One value is held against all of the other group.
+// Returns the differences of the values with the same place. A single value is compared with all of the other group.
 std::vector<double> differences_of(const Group& first, const Group& second, const PairData& numbers,
                                    bool is_log_scale) {
   std::vector<double> differences, sizes, roundings;
   const bool is_first_one = is_one_value(first), is_second_one = is_one_value(second);
   for (std::size_t i = 0; i < (is_first_one ? numbers.second : numbers.first).size(); ++i) {
     const double x = numbers.first[is_first_one ? 0 : i], y = numbers.second[is_second_one ? 0 : i];
-    // By the size of these two: a huge pair hides no difference of the others, nor does its 0 equal them.
+    // The rounding depends on these two only, so that a huge pair hides no difference of the others.
     const double rounding = rounding_of_doubles * std::max({is_log_scale ? 1.0 : 0.0, std::abs(x), std::abs(y)});
     const bool are_equal = std::abs(x - y) <= rounding;
     differences.push_back(x - y);
@@ -66,18 +67,18 @@ std::vector<double> differences_of(const Group& first, const Group& second, cons
 }  // namespace
 
 void keep_common_blocks(const std::vector<Group*>& groups) {
-  std::vector<Sample*> all;
+  std::vector<Sample*> samples;
   for (Group* const group : groups)
-    if (auto* const measured = std::get_if<Sample>(&group->sample)) all.push_back(measured);
-  const auto has_same = [&](const Sample* its) { return its->blocks == all.front()->blocks; };
-  if (std::ranges::all_of(all, has_same)) return;
-  std::vector<int> common = all.front()->blocks;
-  for (const Sample* const its : all)
-    std::erase_if(common, [&](int block) { return !std::ranges::binary_search(its->blocks, block); });
-  for (Sample* const its : all) {
-    auto block = its->blocks.begin();
-    std::erase_if(its->values, [&](double) { return !std::ranges::binary_search(common, *block++); });
-    its->blocks = common;
+    if (auto* const sample = std::get_if<Sample>(&group->sample)) samples.push_back(sample);
+  const auto has_first_blocks = [&](const Sample* sample) { return sample->blocks == samples.front()->blocks; };
+  if (std::ranges::all_of(samples, has_first_blocks)) return;
+  std::vector<int> common = samples.front()->blocks;
+  for (const Sample* const sample : samples)
+    std::erase_if(common, [&](int block) { return !std::ranges::binary_search(sample->blocks, block); });
+  for (Sample* const sample : samples) {
+    auto block = sample->blocks.begin();
+    std::erase_if(sample->values, [&](double) { return !std::ranges::binary_search(common, *block++); });
+    sample->blocks = common;
   }
 }
 
@@ -89,7 +90,8 @@ PairData make_pair_data(const Group& first, const Group& second, const MetricSam
   settle(all, samples, takes_logs);
   if (takes_logs) std::ranges::transform(all, all.begin(), [](double value) { return std::log(value); });
   PairData numbers;
-  // A stand-in that no difference, mean or shift of the others comes near, and whose square is still exact enough.
+  // Replaces infinity. Large enough that no difference, mean or shift of finite values comes near it, and small enough
+  // that its square keeps its digits.
   constexpr double far = 1e4;
   double most = std::max(samples.absolute_margin, takes_logs ? 100.0 : 0.0);
   for (const double value : all) most = std::isinf(value) ? most : std::max(most, std::abs(value));
@@ -103,10 +105,10 @@ PairData make_pair_data(const Group& first, const Group& second, const MetricSam
   numbers.of_first = summary_of(first, numbers.first);
   numbers.of_second = summary_of(second, numbers.second);
   for (const Group* const group : {&first, &second}) {
-    const Sample* const its = sample_of(*group);
-    if (its == nullptr || its->effective_n == 0) continue;
-    numbers.effective_n = std::min(numbers.effective_n, its->effective_n);
-    numbers.solved_targets = std::min(numbers.solved_targets, its->solved_targets);
+    const Sample* const sample = sample_of(*group);
+    if (sample == nullptr || sample->effective_n == 0) continue;
+    numbers.effective_n = std::min(numbers.effective_n, sample->effective_n);
+    numbers.solved_targets = std::min(numbers.solved_targets, sample->solved_targets);
   }
   if (is_by_difference) {
     numbers.differences = differences_of(first, second, numbers, takes_logs);

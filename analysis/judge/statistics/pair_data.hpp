@@ -1,5 +1,6 @@
-// Two groups as a test takes them: numbers alone. A pure function of their values, so that a test sees neither floors
-// nor infinities nor copies.
+// The two samples of a pair as plain numbers. Floors, roundings and infinities are resolved here, so that tests need
+// not know of them. Depends on the values only. `compare_pairs.cpp` makes one per pair and scale, and drops it after
+// the test.
 #pragma once
 
 #include <cmath>
@@ -10,19 +11,19 @@
 
 namespace ikbench::judge {
 
-// A solver that repeats itself has one value. A group that is printed has a summary and no values.
+// The numbers of a pair. A deterministic solver has one value. A printed group has a summary and no values.
 struct PairData {
   std::vector<double> first, second;
-  std::vector<double> differences = {};  // by block; or of each run from the one value of a solver that repeats itself
+  std::vector<double> differences = {};  // by block, or of each run from the one value of a deterministic solver
   SummaryStatistics of_first = {}, of_second = {};
-  double effective_n =
-      std::numeric_limits<double>::infinity();  // of logarithms: that of the group whose values tell less
-  double solved_targets = effective_n;          // of the same: targets that the weaker one solved
-  double infinity_substitute =
-      0;  // stands for infinite values, and is larger than all that comes of others; 0: there are none
+  // The smaller effective sample size, and the smaller number of solved targets, of two groups of logarithms of costs;
+  // otherwise infinite.
+  double effective_n = std::numeric_limits<double>::infinity();
+  double solved_targets = effective_n;
+  double infinity_substitute = 0;  // stands for infinite values; 0: there are none
   bool are_all_equal = false;
 
-  // Infinite where it is made of a value that stands for an infinite one.
+  // Returns infinity if an estimate was made of a value that stands for an infinite one; otherwise the estimate.
   double restore_infinity(double value) const {
     return infinity_substitute > 0 && std::abs(value) > infinity_substitute / 8
                ? std::copysign(std::numeric_limits<double>::infinity(), value)
@@ -30,11 +31,12 @@ struct PairData {
   }
 };
 
-// Leaves the values of blocks that all measured ones of these have.
+// Removes the values of blocks that not all groups have. Groups without a Sample are left alone.
 void keep_common_blocks(const std::vector<Group*>& groups);
 
-// Values below the floor count as it where logarithms are taken; those that differ by no more than the rounding are
-// equal. Paired values without blocks belong together by their places.
+// Makes the numbers of a pair. If logarithms are taken, values below the floor of the metric count as the floor. Values
+// that differ by no more than their rounding become equal. Paired values without blocks belong together by their
+// places.
 PairData make_pair_data(const Group& first, const Group& second, const MetricSamples& samples, bool is_by_difference,
                         bool takes_logs);
 

@@ -297,8 +297,12 @@ UnadjustedTest rank_test(Values first, Values second, double alpha) {
   // double, however large the largest difference is.
   const auto reached = [&](double from, double beyond) {
     std::int64_t kept = index_of(from), out = index_of(beyond);
-    for (auto next = std::midpoint(kept, out); next != kept; next = std::midpoint(kept, out))
-      (brunner_munzel(first_rising, second_rising, value_at(next)) >= alpha ? kept : out) = next;
+    for (auto next = std::midpoint(kept, out); next != kept; next = std::midpoint(kept, out)) {
+      if (brunner_munzel(first_rising, second_rising, value_at(next)) >= alpha)
+        kept = next;
+      else
+        out = next;
+    }
     return std::abs(value_at(kept)) < std::numeric_limits<double>::min() ? 0 : value_at(kept);  // beside 0
   };
   if (const auto interval = outcome.interval)
