@@ -77,8 +77,11 @@ struct CheckedProgram {
       : arm(std::move(checked_arm)),
         offset(goal_offset),
         goal(example_goal(arm, kind, goal_offset)),
-        processes(program,
-                  robot_message(arm, arm.chain, goal, "", program->hello, resolved_options(program->hello, {}))) {}
+        processes(program, robot_message({.arm = arm,
+                                          .searched = arm.chain,
+                                          .goal = goal,
+                                          .hello = program->hello,
+                                          .options = resolved_options(program->hello, {})})) {}
 
   Attempt solve_once(const StopRule& stop = usual_budget, int number = 0) {
     Objective objective(arm.chain, example_goal(arm, goal.kind, offset, number));

@@ -82,8 +82,11 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, std::stri
                                  : Timing::clean),
       is_counted_(entry.program || solver_info(entry).is_counted) {
   if (!entry.program) return;
-  processes_ = std::make_unique<ProcessPool>(
-      entry.program, robot_message(arm, task_.arm(), task_.goal(Pose::Identity()), "", entry.program->hello, options_));
+  processes_ = std::make_unique<ProcessPool>(entry.program, robot_message({.arm = arm,
+                                                                           .searched = task_.arm(),
+                                                                           .goal = task_.goal(Pose::Identity()),
+                                                                           .hello = entry.program->hello,
+                                                                           .options = options_}));
 }
 
 std::unique_ptr<Solver> SolveRunner::make_solver() const {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -20,45 +21,62 @@ using namespace results;
 
 namespace {
 
-constexpr int most_failures_in_a_row = 3;
+constexpr int max_failures_in_a_row = 3;
+constexpr double infinite_error = std::numeric_limits<double>::infinity();
 
 Status status_of(ProcessFailure::Kind kind) {
   constexpr Status as_kinds[]{Status::crashed, Status::timed_out, Status::protocol_error, Status::declined};
   return as_kinds[static_cast<std::size_t>(kind)];
 }
 
-// A fresh process of a program that was met. Throws std::runtime_error if it is not what it was.
+// Returns a new process of a program that has introduced itself before. Throws std::runtime_error if the program has
+// changed since, or does not start.
 std::unique_ptr<ChildProcess> restarted(const Program& program) {
   try {
     if (!program.is_unchanged())
       throw std::invalid_argument("the files of " + program.choice.process[0] + " changed while it ran");
     Hello hello;
     return launch(program.choice, program.folder, hello);
-  } catch (const std::invalid_argument& error) {  // it started before, so this is no result of the program
+  } catch (const std::invalid_argument& error) {  // the program started before, so this is no result of it
     throw std::runtime_error(fmt::format("{}; run the study again, and it goes on", error.what()));
   }
 }
 
+// Throws ProcessFailure if the process ended, or sent a second message. A program that answers twice would stay one
+// answer behind, each answer that of the solve before. A new process gets 0.1 s for such a message.
+void refuse_unsolicited_message(ChildProcess& child, bool is_new) {
+  const ProcessFailure heard = unsolicited_message(child, is_new ? 0.1 : 0);
+  if (heard.kind != ProcessFailure::Kind::timed_out) throw ProcessFailure(heard);
+}
+
 // Records the course of the best error as solvers::solve does.
-void add_best(ProcessReport& account, std::int64_t evaluations, double best, double at_start) {
-  Improvements& improved = account.improved;
+void add_best(ProcessReport& report, std::int64_t evaluations, double best, double at_start) {
+  Improvements& improved = report.improved;
   if (improved.at.empty()) {
     if (evaluations == 1) at_start = best;
     improved.add(1, std::max(at_start, best));
   } else {
-    account.trace.push_back(best);
+    report.trace.push_back(best);
   }
   if (best < improved.to.back()) improved.add(evaluations, best);
 }
 
 double seconds_since(Clock::time_point began) { return std::chrono::duration<double>(Clock::now() - began).count(); }
 
-// What it says that it took [s]; NaN if nothing.
-double told_seconds(const Message& message, double passed) {
-  const double told = message.number("seconds");
-  if (told < 0 || told > 1.1 * passed + 0.02)  // clocks differ, and some tick so rarely
+// Returns the self-reported time [s] of a message; NaN if there is none, or 0, which no clock measures. Throws
+// ProcessFailure if more is reported than the `passed` seconds allow.
+double reported_seconds_in(const Message& message, double passed) {
+  const double seconds = message.number("seconds");
+  if (seconds < 0 || seconds > 1.1 * passed + 0.02)  // clocks differ, and some tick so rarely
     message.fail(fmt::format("\"seconds\" from 0 to {:.2g}, which passed", passed));
-  return told == 0 ? std::nan("") : told;  // no clock tells so little
+  return seconds == 0 ? std::nan("") : seconds;
+}
+
+// Returns the smallest share of the error at the start that so few evaluations can leave. A single evaluation tells
+// nothing of where to go, and no more evaluations than joints tell not even the slope.
+double min_error_ratio(std::int64_t evaluations, int joints) {
+  if (evaluations == 1) return 1;
+  return evaluations <= joints ? 0.1 : 0;
 }
 
 // Returns the smallest time [s] that a program can have taken that used `cpu_seconds`, with two threads and 1 ms for
@@ -67,39 +85,57 @@ constexpr double min_credible_seconds(double cpu_seconds) { return cpu_seconds /
 
 }  // namespace
 
-std::optional<double> credible_report(const ProcessReport& account) {
+// The state of one solve while messages are exchanged.
+struct ExternalSolver::Exchange {
+  Exchange(const Problem& of_solve, Objective& counting, std::uint32_t of_seed)
+      : problem(of_solve), objective(counting), seed(of_seed), uncounted(counting.arm(), counting.goal()) {
+    error_at_start = uncounted.error(problem.start);
+  }
+
+  const Problem& problem;
+  Objective& objective;
+  std::uint32_t seed;
+  Clock::time_point began = Clock::now();
+  Objective uncounted;  // measures errors without counting evaluations
+  double error_at_start = 0;
+  double passed = 0;                // [s], until the last message
+  Best best = {};                   // of the candidates that were evaluated
+  std::vector<double> errors = {};  // of the candidates that were evaluated, in their order
+};
+
+std::optional<double> credible_report(const ProcessReport& report) {
   const bool is_credible =
-      account.cpu_seconds > 0 && account.reported_seconds >= min_credible_seconds(account.cpu_seconds);
-  return is_credible ? std::optional(account.reported_seconds) : std::nullopt;
+      report.cpu_seconds > 0 && report.reported_seconds >= min_credible_seconds(report.cpu_seconds);
+  return is_credible ? std::optional(report.reported_seconds) : std::nullopt;
 }
 
-double credible_seconds(const ProcessReport& account, double wall) {
-  const double told = account.reported_seconds;
-  return std::isnan(told) ? wall : std::max(told, min_credible_seconds(account.cpu_seconds));
+double credible_seconds(const ProcessReport& report, double wall) {
+  const double reported = report.reported_seconds;
+  return std::isnan(reported) ? wall : std::max(reported, min_credible_seconds(report.cpu_seconds));
 }
 
 WorkerProcess ProcessPool::acquire() {
   const std::scoped_lock lock(mutex_);
   if (idle_.empty()) return {};
-  WorkerProcess conversation = std::move(idle_.back());
+  WorkerProcess worker = std::move(idle_.back());
   idle_.pop_back();
-  return conversation;
+  return worker;
 }
 
-void ProcessPool::release(WorkerProcess conversation) {
+void ProcessPool::release(WorkerProcess worker) {
   const std::scoped_lock lock(mutex_);
-  idle_.push_back(std::move(conversation));
+  idle_.push_back(std::move(worker));
 }
 
 std::string ProcessPool::last_failure() const {
   const std::scoped_lock lock(mutex_);
-  const auto has_failed = std::ranges::find_if(idle_, [](auto& its) { return !its.last_failure.empty(); });
-  return has_failed == idle_.end() ? "" : has_failed->last_failure;
+  const auto failed = std::ranges::find_if(idle_, [](const auto& worker) { return !worker.last_failure.empty(); });
+  return failed == idle_.end() ? "" : failed->last_failure;
 }
 
 void ProcessPool::end_processes() {
   const std::scoped_lock lock(mutex_);
-  for (WorkerProcess& idle : idle_) idle.child.reset();
+  for (WorkerProcess& worker : idle_) worker.child.reset();
 }
 
 template <class Talk>
@@ -107,14 +143,14 @@ void ExternalSolver::with_failure_handling(Talk&& talk) {
   if (report_.failure) return;
   try {
     talk();
-  } catch (const ProcessFailure& trouble) {
-    record_failure(trouble);
-    report_ = {.failure = status_of(trouble.kind), .batch_size = report_.batch_size, .seconds = report_.seconds};
-    best_.error = std::numeric_limits<double>::infinity();
+  } catch (const ProcessFailure& failure) {
+    record_failure(failure);
+    report_ = {.failure = status_of(failure.kind), .batch_size = report_.batch_size, .seconds = report_.seconds};
+    best_.error = infinite_error;
   }
 }
 
-// Throws std::runtime_error if the program is not what it was.
+// Throws std::runtime_error if the program has changed since its hello.
 bool ExternalSolver::ensure_running() {
   if (worker_.child && !worker_.child->is_running())
     record_failure({ProcessFailure::Kind::crashed, "it ended between two solves"});
@@ -125,50 +161,61 @@ bool ExternalSolver::ensure_running() {
   return true;
 }
 
-// Keeps the trouble and ends the process, unless it only declined, or answered one problem of a batch wrongly.
-void ExternalSolver::record_failure(const ProcessFailure& trouble) {
+// Keeps the failure and ends the process, unless the program only declined, or answered one problem of a batch wrongly.
+void ExternalSolver::record_failure(const ProcessFailure& failure) {
   if (worker_.given_up) return;
-  failure_ = trouble;
-  if (trouble.kind == ProcessFailure::Kind::declined || worker_.has_answers() || !worker_.child) return;
-  failure_->why += worker_.child->end_after(trouble.kind);
+  failure_ = failure;
+  if (failure.kind == ProcessFailure::Kind::declined || worker_.has_answers() || !worker_.child) return;
+  failure_->why += worker_.child->end_after(failure.kind);
   worker_.child.reset();
 }
 
 void ExternalSolver::count_failure() {
   const bool counts = failure_ && failure_->kind != ProcessFailure::Kind::declined && !worker_.has_answers();
-  if (counts && ++worker_.failures_in_a_row == most_failures_in_a_row) {
-    failure_->why += "; it is given up after three failures in a row";
-    worker_.given_up = failure_;
+  if (counts) {
+    ++worker_.failures_in_a_row;
+    if (worker_.failures_in_a_row == max_failures_in_a_row) {
+      failure_->why += "; it is given up after three failures in a row";
+      worker_.given_up = failure_;
+    }
   }
   if (failure_) worker_.last_failure = fmt::format("{}: {}", name_of(status_of(failure_->kind)), failure_->why);
   if (!report_.failure) worker_.failures_in_a_row = 0;
 }
 
 Clock::time_point ExternalSolver::deadline(double problems) const {
-  const double patience = pool_.program->choice.timeout;
-  return deadline_in(patience > 0         ? patience
-                     : stop_.seconds == 0 ? 60
-                                          : std::clamp(20 * stop_.seconds * problems, 5.0, 1e6));
+  const double timeout = pool_.program->choice.timeout;
+  if (timeout > 0) return deadline_in(timeout);
+  if (stop_.seconds == 0) return deadline_in(60);
+  return deadline_in(std::clamp(20 * stop_.seconds * problems, 5.0, 1e6));
 }
 
-void ExternalSolver::clear_batch() { worker_.answers.clear(), worker_.batch.clear(); }
+void ExternalSolver::clear_batch() {
+  worker_.answers.clear();
+  worker_.batch.clear();
+}
 
 bool ExternalSolver::send_batch() {
   report_ = {};
   failure_.reset();
   const auto size = static_cast<double>(worker_.batch.size());
-  for (const std::string& problem : worker_.batch) worker_.answers[problem].reset();
+  std::vector<std::string> problems;
+  for (const SolveQuestion& question : worker_.batch) {
+    worker_.answers[question.text].reset();
+    problems.push_back(question.text);
+  }
   Clock::time_point began = Clock::now();
   with_failure_handling([&] {
     ensure_running();
     const double cpu_before = worker_.child->cpu_seconds();
     began = Clock::now();
-    const std::string problems = fmt::format("{}", fmt::join(worker_.batch, ","));
-    const Message message =
-        send_request(*worker_.child, R"({"message":"solve_batch","problems":[)" + problems + "]}\n", deadline(size));
-    const double told = told_seconds(message, seconds_since(began)), cpu = worker_.child->cpu_seconds() - cpu_before;
+    const std::string text =
+        fmt::format("{{\"message\":\"solve_batch\",\"problems\":[{}]}}\n", fmt::join(problems, ","));
+    const Message message = send_request(*worker_.child, text, deadline(size));
+    const double reported = reported_seconds_in(message, seconds_since(began));
+    const double cpu = worker_.child->cpu_seconds() - cpu_before;
     report_.cpu_seconds = std::max(0.0, cpu) / size;
-    if (told >= min_credible_seconds(cpu)) report_.reported_seconds = told / size;
+    if (reported >= min_credible_seconds(cpu)) report_.reported_seconds = reported / size;
     if (message.name() == "declined") throw ProcessFailure{ProcessFailure::Kind::declined, message.decline_reason()};
     if (message.name() != "solved_batch") message.fail("\"solved_batch\" or \"declined\"");
     worker_.answers = message.answers(worker_.batch);
@@ -182,7 +229,7 @@ bool ExternalSolver::send_batch() {
 void ExternalSolver::prepare(const Problem& problem, const Objective& objective) {
   report_ = {};
   failure_.reset();
-  if (pool_.program->choice.batch > 0) return;
+  if (is_batched()) return;
   with_failure_handling([&] {
     const bool is_new = ensure_running();
     try {
@@ -191,14 +238,11 @@ void ExternalSolver::prepare(const Problem& problem, const Objective& objective)
           Objective uncounted(objective.arm(), objective.goal());
           exchange_solve(problem, uncounted, seed);
         });
-    } catch (const ProcessFailure& trouble) {  // which no target has: a new process solves it
-      if (trouble.kind != ProcessFailure::Kind::declined) worker_.child.reset();
+    } catch (const ProcessFailure& failure) {  // of no target of the study: a new process solves these
+      if (failure.kind != ProcessFailure::Kind::declined) worker_.child.reset();
       ensure_running();
     }
-    if (!is_new && !worker_.child->has_line()) return;
-    // Who answers twice after a pause would stay behind, each answer that of the solve before.
-    const ProcessFailure heard = unsolicited_message(*worker_.child, is_new ? 0.1 : 0);
-    if (heard.kind != ProcessFailure::Kind::timed_out) throw ProcessFailure(heard);
+    if (is_new || worker_.child->has_line()) refuse_unsolicited_message(*worker_.child, is_new);
   });
 }
 
@@ -210,109 +254,131 @@ void ExternalSolver::start(const Problem& problem, Objective& objective, Random&
   });
 }
 
-// Of several answers that which is inside the limits and nearest to the start, else the first; notes how many there
-// are, and how many of them are right.
-Configuration ExternalSolver::select_answer(const Candidates& answers, const Problem& problem,
-                                            Objective& objective) const {
-  Configuration best = answers.col(0);
-  double least = std::numeric_limits<double>::infinity();
-  int right = 0;
-  for (const Configuration q : answers.colwise()) {
-    if (!(JointLimits{problem.lower, problem.upper}.violation(q) <= 1e-9)) continue;
-    const Deviation off = objective.deviation(q);
-    right +=
-        off.position <= stop_.tolerance && (!objective.goal().has_direction() || off.angle <= stop_.angle_tolerance);
-    if (const double far = (q - problem.start).norm(); far < least) best = q, least = far;
-  }
-  objective.note("answers", static_cast<double>(answers.cols()));
-  if (stop_.tolerance > 0) objective.note("answers_right", right);
-  return best;
-}
-
-void ExternalSolver::take_answer(const Message& message, const Problem& problem, Objective& objective,
-                                 const Configuration& evaluated) {
-  for (const auto& [name, value] : message.extras()) {
-    if (worker_.extras.size() < max_extras) worker_.extras.insert(name);
-    if (!worker_.extras.contains(name)) message.fail(fmt::format("at most {} names of \"extras\" in all", max_extras));
-    objective.note(name, value);
-  }
-  if (message.has("answers"))
-    best_.q = select_answer(message.candidates(problem.joints(), "answers"), problem, objective);
-  else
-    best_.q = message.has("q") || evaluated.size() == 0 ? message.joints(problem.joints()) : evaluated;
-  report_.reported_error = message.number("error");
-}
-
 void ExternalSolver::exchange_solve(const Problem& problem, Objective& objective, std::uint32_t seed) {
   report_ = {};
-  const std::string question = solve_message(problem, objective.goal(), stop_, seed);
-  const bool is_of_batch = pool_.program->choice.batch > 0;
-  if (is_of_batch && !worker_.answers.contains(question)) {
-    if (!std::exchange(worker_.answers, {}).empty()) worker_.batch.clear();  // which was asked for
+  const SolveQuestion question{.text = solve_message(problem, objective.goal(), stop_, seed), .seed = seed};
+  if (is_batched()) take_batch_report(question);
+  if (report_.failure) {  // of the whole batch, and recorded when the batch failed
+    best_.error = infinite_error;
+    return;
+  }
+  Exchange exchange(problem, objective, seed);
+  take_solved(is_batched() ? worker_.answers[question.text].value() : ask(question, exchange), exchange);
+}
+
+void ExternalSolver::take_batch_report(const SolveQuestion& question) {
+  if (!worker_.answers.contains(question.text)) {
+    if (!worker_.answers.empty()) clear_batch();  // the last batch was sent, so this question begins the next one
     worker_.batch.push_back(question);
     worker_.batch_report = {.failure = Status::declined};
   }
-  if (is_of_batch) report_ = worker_.batch_report;
-  if (report_.failure) {  // noted once, for all
-    best_.error = std::numeric_limits<double>::infinity();
-    return;
-  }
-  const Clock::time_point began = Clock::now(), last = deadline(1);
-  const double cpu_before = is_of_batch ? 0 : worker_.child->cpu_seconds();
-  const int joints = problem.joints();
-  Objective uncounted(objective.arm(), objective.goal());
-  Tolerance tolerance(stop_, uncounted);
-  const double at_start = uncounted.error(problem.start);
-  Best best;
-  std::vector<double> seen;  // errors
-  bool is_over = false;
-  Message message =
-      is_of_batch ? worker_.answers[question].value() : send_request(*worker_.child, question + '\n', last);
-  for (; !is_of_batch && message.name() == "evaluate"; ++report_.iterations) {
-    const Candidates q = message.candidates(joints);
-    report_.ignored_budget |= is_over;
-    const std::int64_t left = stop_.evaluations > 0 ? stop_.evaluations - objective.evaluations() : q.cols();
-    const Eigen::Index taken = is_over ? 0 : std::min<Eigen::Index>(left, q.cols());
-    Eigen::VectorXd errors = Eigen::VectorXd::Constant(q.cols(), std::numeric_limits<double>::quiet_NaN());
-    if (taken > 0) objective.errors(q.leftCols(taken), errors.head(taken));
-    for (Eigen::Index i = 0; i < taken; ++i) best.improve(q.col(i), errors[i]);
-    seen.insert(seen.end(), errors.begin(), errors.begin() + taken);
-    if (taken > 0) add_best(report_, objective.evaluations(), best.error, at_start);
-    const std::optional<StopReason> end = spent(stop_, report_.iterations, objective.evaluations(), began);
-    if (end && !is_over) report_.stopped = *end;
-    is_over |= end || tolerance.is_reached(best);
-    message = send_request(*worker_.child, errors_message(errors, is_over), last);
-  }
-  const double passed = seconds_since(began);
-  if (!is_of_batch)
-    report_.cpu_seconds = std::max(0.0, worker_.child->cpu_seconds() - cpu_before);  // 0: it ended at once
-  if (message.name() == "declined") throw ProcessFailure{ProcessFailure::Kind::declined, message.decline_reason()};
-  if (message.name() != "solved") message.fail("\"evaluate\", \"solved\" or \"declined\"");
-  if (message.has("seed") && message.number("seed") != seed)
-    message.fail(fmt::format("\"seed\" {}, as this answers another solve", seed));
-  take_answer(message, problem, objective, best.q);
-  best_.error = uncounted.error(best_.q);
-  if (!is_of_batch) report_.reported_seconds = told_seconds(message, passed);
-  const std::int64_t steps = message.count("iterations");  // else its questions; the first is the start of the search
-  report_.iterations = steps >= 0 ? steps : std::max<std::int64_t>(0, report_.iterations - 1);
-  const std::int64_t ours = objective.evaluations();
-  // One tells nothing, and no more than joints not even the slope.
-  const bool is_too_good = best_.error < (ours == 1 ? 1 : ours <= joints ? 0.1 : 0) * at_start;
-  set_evaluations(ours, message.count("evaluations"), !is_too_good && std::ranges::count(seen, best_.error) > 0,
-                  best.error);
+  report_ = worker_.batch_report;
 }
 
-void ExternalSolver::set_evaluations(std::int64_t ours, std::int64_t own, bool is_explained, double best) {
-  if (is_explained && own <= ours) {
+Message ExternalSolver::ask(const SolveQuestion& question, Exchange& exchange) {
+  const Clock::time_point last = deadline(1);
+  const double cpu_before = worker_.child->cpu_seconds();
+  Tolerance tolerance(stop_, exchange.uncounted);
+  bool is_over = false;
+  Message message = send_request(*worker_.child, question.text + '\n', last);
+  for (; message.name() == "evaluate"; ++report_.iterations) {
+    const Candidates candidates = message.candidates(exchange.problem.joints());
+    report_.ignored_budget |= is_over;
+    const Eigen::VectorXd errors = evaluate(candidates, is_over, exchange);
+    const std::optional<StopReason> end =
+        spent(stop_, report_.iterations, exchange.objective.evaluations(), exchange.began);
+    if (end && !is_over) report_.stopped = *end;
+    is_over |= end || tolerance.is_reached(exchange.best);
+    message = send_request(*worker_.child, errors_message(errors, is_over), last);
+  }
+  exchange.passed = seconds_since(exchange.began);
+  report_.cpu_seconds = std::max(0.0, worker_.child->cpu_seconds() - cpu_before);  // 0: the process ended at once
+  return message;
+}
+
+Eigen::VectorXd ExternalSolver::evaluate(const Candidates& candidates, bool is_over, Exchange& exchange) {
+  const std::int64_t left =
+      stop_.evaluations > 0 ? stop_.evaluations - exchange.objective.evaluations() : candidates.cols();
+  const Eigen::Index taken = is_over ? 0 : std::min<Eigen::Index>(left, candidates.cols());
+  Eigen::VectorXd errors = Eigen::VectorXd::Constant(candidates.cols(), std::numeric_limits<double>::quiet_NaN());
+  if (taken <= 0) return errors;
+  exchange.objective.errors(candidates.leftCols(taken), errors.head(taken));
+  for (Eigen::Index i = 0; i < taken; ++i) exchange.best.improve(candidates.col(i), errors[i]);
+  exchange.errors.insert(exchange.errors.end(), errors.begin(), errors.begin() + taken);
+  add_best(report_, exchange.objective.evaluations(), exchange.best.error, exchange.error_at_start);
+  return errors;
+}
+
+void ExternalSolver::take_solved(const Message& message, Exchange& exchange) {
+  if (message.name() == "declined") throw ProcessFailure{ProcessFailure::Kind::declined, message.decline_reason()};
+  if (message.name() != "solved") message.fail("\"evaluate\", \"solved\" or \"declined\"");
+  if (message.has("seed") && message.number("seed") != exchange.seed)
+    message.fail(fmt::format("\"seed\" {}, as this answers another solve", exchange.seed));
+  best_.q = answer_in(message, exchange);
+  report_.reported_error = message.number("error");
+  best_.error = exchange.uncounted.error(best_.q);
+  if (!is_batched()) report_.reported_seconds = reported_seconds_in(message, exchange.passed);
+  // Without a count, the requests to evaluate are counted. The first of them evaluates the start of the search.
+  const std::int64_t own_iterations = message.count("iterations");
+  report_.iterations = own_iterations >= 0 ? own_iterations : std::max<std::int64_t>(0, report_.iterations - 1);
+  set_evaluations(message.count("evaluations"), exchange);
+}
+
+Configuration ExternalSolver::answer_in(const Message& message, const Exchange& exchange) {
+  for (const auto& [name, value] : message.extras()) {
+    if (worker_.extras.size() < max_extras) worker_.extras.insert(name);
+    if (!worker_.extras.contains(name)) message.fail(fmt::format("at most {} names of \"extras\" in all", max_extras));
+    exchange.objective.note(name, value);
+  }
+  const int joints = exchange.problem.joints();
+  if (message.has("answers")) return select_answer(message.candidates(joints, "answers"), exchange);
+  if (message.has("q") || exchange.best.q.size() == 0) return message.joints(joints);
+  return exchange.best.q;
+}
+
+// Returns the answer inside the limits that is nearest to the start, or the first answer if none is inside. Notes the
+// number of answers, and how many of them are right.
+Configuration ExternalSolver::select_answer(const Candidates& answers, const Exchange& exchange) const {
+  const JointLimits limits{exchange.problem.lower, exchange.problem.upper};
+  const bool has_direction = exchange.objective.goal().has_direction();
+  Configuration nearest = answers.col(0);
+  double nearest_distance = std::numeric_limits<double>::infinity();
+  int right = 0;
+  for (const Configuration q : answers.colwise()) {
+    if (!(limits.violation(q) <= 1e-9)) continue;
+    const Deviation off = exchange.objective.deviation(q);
+    if (off.position <= stop_.tolerance && (!has_direction || off.angle <= stop_.angle_tolerance)) ++right;
+    const double distance = (q - exchange.problem.start).norm();
+    if (distance < nearest_distance) {
+      nearest = q;
+      nearest_distance = distance;
+    }
+  }
+  exchange.objective.note("answers", static_cast<double>(answers.cols()));
+  if (stop_.tolerance > 0) exchange.objective.note("answers_right", right);
+  return nearest;
+}
+
+// Returns true if the evaluations made here explain the answer: it is one of the candidates, and not too good to be
+// found by so few.
+bool ExternalSolver::explains_answer(const Exchange& exchange) const {
+  const double ratio = min_error_ratio(exchange.objective.evaluations(), exchange.problem.joints());
+  const bool is_too_good = best_.error < ratio * exchange.error_at_start;
+  return !is_too_good && std::ranges::count(exchange.errors, best_.error) > 0;
+}
+
+void ExternalSolver::set_evaluations(std::int64_t own, const Exchange& exchange) {
+  const std::int64_t ours = exchange.objective.evaluations();
+  if (own <= ours && explains_answer(exchange)) {
     report_.counted_by = CountedBy::ikbench;
     report_.evaluations = ours;
-    if (report_.improved.at.back() < ours) report_.improved.add(ours, best);
-  } else {
-    report_.counted_by = own >= 0 ? CountedBy::solver : CountedBy::none;
-    report_.evaluations = own >= 0 ? std::max(ours, own) : 0;
-    report_.trace.clear();
-    report_.improved = {};
+    if (report_.improved.at.back() < ours) report_.improved.add(ours, exchange.best.error);
+    return;
   }
+  report_.counted_by = own >= 0 ? CountedBy::solver : CountedBy::none;
+  report_.evaluations = own >= 0 ? std::max(ours, own) : 0;
+  report_.trace.clear();
+  report_.improved = {};
 }
 
 void check_answer(const Study& study, const Robot& arm, std::unique_ptr<ChildProcess>& child, SolveRecord& solve) {
@@ -320,27 +386,31 @@ void check_answer(const Study& study, const Robot& arm, std::unique_ptr<ChildPro
   const bool is_new = child == nullptr;
   if (is_new) {
     child = restarted(program);
-    child->write(robot_message(arm, arm.chain, Task(study, arm).goal(Pose::Identity()),
-                               urdf_text_for(program, study.robot), program.hello, resolved_options(program.hello, {})),
+    child->write(robot_message({.arm = arm,
+                                .searched = arm.chain,
+                                .goal = Task(study, arm).goal(Pose::Identity()),
+                                .urdf = urdf_text_for(program, study.robot),
+                                .hello = program.hello,
+                                .options = resolved_options(program.hello, {})}),
                  deadline_in(start_timeout));
   }
-  const base::OrderedJson target{{"position", solve.target_position_m}, {"rotation", solve.target_rotation}},
-      question{{"message", "check"}, {"target", target}, {"start", solve.start_rad}, {"q", solve.answer_rad}};
-  const Message said = send_request(*child, base::text_of(question) + '\n',
-                                    deadline_in(program.choice.timeout > 0 ? program.choice.timeout : 60));
-  const std::string fault = said.rejection_reason();
-  std::map<std::string, double> numbers = said.extras("numbers");
+  const base::OrderedJson target{{"position", solve.target_position_m}, {"rotation", solve.target_rotation}};
+  const base::OrderedJson question{
+      {"message", "check"}, {"target", target}, {"start", solve.start_rad}, {"q", solve.answer_rad}};
+  const double timeout = program.choice.timeout > 0 ? program.choice.timeout : 60;
+  const Message checked = send_request(*child, base::text_of(question) + '\n', deadline_in(timeout));
+  const std::string fault = checked.rejection_reason();
+  std::map<std::string, double> numbers = checked.extras("numbers");
   for (const std::string& name : study.check.numbers()) {
     const auto number = numbers.extract(name);
-    if (number.empty() || !std::isfinite(number.mapped())) said.fail(fmt::format("\"numbers\" with a finite {}", name));
+    if (number.empty() || !std::isfinite(number.mapped()))
+      checked.fail(fmt::format("\"numbers\" with a finite {}", name));
     solve.extras[fmt::format("{}{}", check_extra, name)] = number.mapped();
   }
   if (!numbers.empty())
-    said.fail(
+    checked.fail(
         fmt::format("only \"numbers\" that [check] names as larger or smaller, and not {}", numbers.begin()->first));
-  // Who answers twice would stay behind, each answer that of the solve before.
-  const ProcessFailure heard = unsolicited_message(*child, is_new ? 0.1 : 0);
-  if (heard.kind != ProcessFailure::Kind::timed_out) throw ProcessFailure(heard);
+  refuse_unsolicited_message(*child, is_new);
   if (fault.empty()) return;
   solve.status = Status::invalid;
   solve.extras[fmt::format("{}{}", invalid_extra, fault)] = 1;

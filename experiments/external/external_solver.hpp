@@ -1,9 +1,11 @@
-// A program as a solver, and as a study's check of answers. Its process is started when needed, asked and watched, and
-// started again if it dies.
+// A program as a solver, and as a study's check of answers. Its process is started when it is needed, asked and
+// watched, and started again if it dies. The runner of solves and `ikbench check-solver` drive it. Protocol:
+// docs/reference/protocol.md.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -22,26 +24,27 @@ namespace ikbench::experiments {
 // The report on one solve by a program, besides its answer.
 struct ProcessReport {
   std::optional<results::Status> failure;
-  double cpu_seconds = 0;  // of the program
+  double cpu_seconds = 0;  // [s], of the program
   solvers::StopReason stopped = solvers::StopReason::finished;
-  bool ignored_budget = false;  // it asked for more evaluations after it was told that its budget is used up
+  bool ignored_budget = false;  // the program asked for more evaluations after it was told that its budget is used up
   // Who counted the evaluations. Not `ikbench` if the answer is none of the candidates evaluated here, or too few were
   // evaluated to find it: then the program has its own kinematics, and `evaluations` is its own count.
   results::CountedBy counted_by = results::CountedBy::none;
   std::int64_t evaluations = 0, iterations = 0;
   std::vector<double> trace = {};  // errors of the evaluations made here, as in Solution
   solvers::Improvements improved = {};
-  double reported_error = std::numeric_limits<double>::quiet_NaN();  // [m], self-reported
-  double reported_seconds = std::numeric_limits<double>::quiet_NaN();
-  int batch_size = 1;  // size of its batch, by which times are divided
-  double seconds = 0;  // [s] of the wall time of a batch
+  double reported_error = std::numeric_limits<double>::quiet_NaN();    // [m], self-reported; NaN: none
+  double reported_seconds = std::numeric_limits<double>::quiet_NaN();  // [s], self-reported; NaN: none
+  int batch_size = 1;                                                  // by which times of a batch are divided
+  double seconds = 0;                                                  // [s], the share of a batch's wall time
 };
 
-// Returns the time [s] that a program reports, if its processor time is known and leaves room for the report.
-std::optional<double> credible_report(const ProcessReport& account);
+// Returns the self-reported time [s] of a program if its processor time is known and leaves room for the report;
+// nothing otherwise.
+std::optional<double> credible_report(const ProcessReport& report);
 // Returns the time [s] that a program took: its self-reported one, or its processor time if that leaves no room for the
-// report; `wall` if it reports nothing.
-double credible_seconds(const ProcessReport& account, double wall);
+// report; `wall` [s] if it reports nothing.
+double credible_seconds(const ProcessReport& report, double wall);
 
 // A running process of a program, and what is kept of it from solve to solve.
 struct WorkerProcess {
@@ -50,14 +53,14 @@ struct WorkerProcess {
   std::string last_failure = {};      // "crashed: it ended (exit code 3); its last words: ..."; empty: none so far
   std::set<std::string> extras = {};  // names
   std::optional<ProcessFailure> given_up = {};  // set if the program is given up
-  // A batch: its problems, as their messages; the answer to each, nothing if it failed; and the report that they share.
-  std::vector<std::string> batch = {};
-  std::map<std::string, std::optional<Message>> answers = {};
-  ProcessReport batch_report = {};
+  std::vector<SolveQuestion> batch = {};
+  std::map<std::string, std::optional<Message>> answers = {};  // by the text of a question; none: the batch failed
+  ProcessReport batch_report = {};                             // shared by all questions of the batch
+
   bool has_answers() const { return !answers.empty() && answers.begin()->second; }
 };
 
-// Makes a few unrecorded solves: solve(0), solve(1), solve(2), or fewer if they take long.
+// Makes a few unrecorded solves: solve(0), solve(1), solve(2), or fewer if they take longer than 0.1 s.
 template <class Solve>
 void warm_up_calls(Solve&& solve) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(100);
@@ -67,13 +70,13 @@ void warm_up_calls(Solve&& solve) {
 // The idle processes of a program. Any thread may take one and give it back.
 class ProcessPool {
  public:
-  // `robot` is the first message to each process.
-  ProcessPool(std::shared_ptr<const Program> its_program, std::string its_robot)
-      : program(std::move(its_program)), robot(std::move(its_robot)) {}
+  // `robot_text` is the first message to each process.
+  ProcessPool(std::shared_ptr<const Program> of_program, std::string robot_text)
+      : program(std::move(of_program)), robot(std::move(robot_text)) {}
 
   WorkerProcess acquire();
-  void release(WorkerProcess conversation);
-  std::string last_failure() const;  // the last failure of an idle process
+  void release(WorkerProcess worker);
+  std::string last_failure() const;  // the last failure of an idle process; empty: none
   void end_processes();              // ends idle processes; a program that is given up stays so
 
   const std::shared_ptr<const Program> program;
@@ -88,12 +91,13 @@ class ProcessPool {
 // program fails, the error is infinite.
 class ExternalSolver final : public solvers::Searcher {
  public:
-  ExternalSolver(ProcessPool& all, const solvers::StopRule& stop)  // both outlive it
-      : pool_(all), stop_(stop), worker_(all.acquire()) {}
+  ExternalSolver(ProcessPool& pool, const solvers::StopRule& stop)  // both outlive the solver
+      : pool_(pool), stop_(stop), worker_(pool.acquire()) {}
   ~ExternalSolver() override { pool_.release(std::move(worker_)); }
 
-  // Sends the next batch in one message, always again; returns false if it failed. With a batch, `start` gives the
-  // answer that came for the problem. If none was asked for, `start` puts the problem into the next batch.
+  // Sends the next batch in one message, and returns false if it failed. A batch may be sent more than once. With
+  // batches, `start` takes the answer that came for the problem. If none was asked for, `start` puts the problem into
+  // the next batch.
   bool send_batch();
   void clear_batch();
   // Starts the process if there is none, and warms it up; does nothing with batches. Call it before the clock starts.
@@ -108,19 +112,32 @@ class ExternalSolver final : public solvers::Searcher {
   void count_failure();
 
  private:
+  struct Exchange;
+
+  bool is_batched() const { return pool_.program->choice.batch > 0; }
   template <class Talk>
-  void with_failure_handling(Talk&& talk);  // a Trouble becomes the account's failure
+  void with_failure_handling(Talk&& talk);  // a ProcessFailure becomes the report's failure
   bool ensure_running();                    // true if the process is new
-  void record_failure(const ProcessFailure& trouble);
+  void record_failure(const ProcessFailure& failure);
   Clock::time_point deadline(double problems) const;
-  robots::Configuration select_answer(const robots::Candidates& answers, const solvers::Problem& problem,
-                                      solvers::Objective& objective) const;
-  // Notes what the message reports, and takes its answer; without one, the best candidate that was evaluated.
-  void take_answer(const Message& message, const solvers::Problem& problem, solvers::Objective& objective,
-                   const robots::Configuration& evaluated);
+
   void exchange_solve(const solvers::Problem& problem, solvers::Objective& objective, std::uint32_t seed);
-  // Takes our count of evaluations if these explain the answer, otherwise the program's own, if it has one.
-  void set_evaluations(std::int64_t ours, std::int64_t own, bool is_explained, double best);
+  // Sets the report to that of the question's batch. A question that no batch has is put into the next one.
+  void take_batch_report(const SolveQuestion& question);
+  // Sends the question, and evaluates candidates until the program asks for no more. Returns the message that follows.
+  Message ask(const SolveQuestion& question, Exchange& exchange);
+  // Returns the errors of candidates, NaN for those that the budget leaves no room for.
+  Eigen::VectorXd evaluate(const robots::Candidates& candidates, bool is_over, Exchange& exchange);
+  // Takes the answer of a solve, with everything that the program reports of it.
+  void take_solved(const Message& message, Exchange& exchange);
+  // Returns the answer, and notes the extras of the message. Without an answer, the best candidate that was evaluated
+  // is returned.
+  robots::Configuration answer_in(const Message& message, const Exchange& exchange);
+  robots::Configuration select_answer(const robots::Candidates& answers, const Exchange& exchange) const;
+  bool explains_answer(const Exchange& exchange) const;
+  // Takes our count of evaluations if these explain the answer, otherwise the program's own, if it has one. `own` is -1
+  // if it has none.
+  void set_evaluations(std::int64_t own, const Exchange& exchange);
 
   ProcessPool& pool_;
   const solvers::StopRule& stop_;
@@ -131,7 +148,7 @@ class ExternalSolver final : public solvers::Searcher {
 
 // Asks the study's checker about an answer that reached its target, and starts a process of it if there is none. If the
 // checker refuses the answer, the record becomes `invalid`. The record keeps the reason and the checker's numbers as
-// extras. Throws Trouble if the checker breaks the protocol, and std::runtime_error if its files have changed.
+// extras. Throws ProcessFailure if the checker breaks the protocol, and std::runtime_error if its files have changed.
 void check_answer(const Study& study, const Robot& arm, std::unique_ptr<ChildProcess>& child,
                   results::SolveRecord& solve);
 

@@ -21,17 +21,30 @@ using namespace solvers;
 
 namespace {
 
-constexpr std::size_t most_options = 200;
+constexpr std::size_t max_options = 200;
 constexpr const char* goal_names[]{"position", "axis", "pose"};  // as GoalKind
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 std::string line_of(const OrderedJson& json) { return base::text_of(json) + '\n'; }
 
-// Returns the elements of a matrix that is transposed and reshaped: row by row.
 OrderedJson numbers(const Eigen::VectorXd& values) {
   return std::vector<double>(values.begin(), values.end());  // values that are not finite are dumped as null
 }
 
+// Returns the type of a joint as the protocol has it.
+const char* type_of(Joint joint) {
+  switch (joint) {
+    case Joint::turns:
+      return "revolute";
+    case Joint::slides:
+      return "prismatic";
+    case Joint::coupled:
+      break;
+  }
+  return "coupled";
+}
+
+// Returns the number of a member; `fallback` if the object has none.
 double number_in(const Json& object, const char* key, double fallback) {
   const auto found = object.find(key);
   return found != object.end() && found->is_number() ? found->get<double>() : fallback;
@@ -65,14 +78,21 @@ Settings resolved_options(const Hello& hello, const Settings& settings) {
 }
 
 Message::Message(std::string line) : line_(std::move(line)), json_(std::make_shared<Json>(base::parsed_json(line_))) {
+  read_name();
+}
+
+Message::Message(const Json& object) : json_(std::make_shared<Json>(object)) { read_name(); }
+
+void Message::read_name() {
   if (!json_->is_object()) fail("JSON, in which a number that is not finite is null");
   name_ = text(*json_, "message");
   if (name_.empty()) fail("a \"message\"");
 }
 
 void Message::fail(const std::string& expected) const {
+  const std::string line = line_.empty() ? base::text_of(*json_) : line_;
   throw ProcessFailure{ProcessFailure::Kind::protocol_error,
-                       fmt::format("it wrote {}; expected {}", base::one_line(front(line_, 200)), expected)};
+                       fmt::format("it wrote {}; expected {}", base::one_line(front(line, 200)), expected)};
 }
 
 // Returns a text that is safe in tables and file names; fails otherwise.
@@ -88,8 +108,9 @@ OptionSpec Message::option(const Json& object) const {
   if (!object.is_object()) fail("options that are objects");
   OptionSpec option{.name = text(object, "name"), .meaning = text(object, "meaning"), .choices = {}};
   for (const char* key : {"", "solver", "label", "process", "files", "memory_mb", "patience_s", "batch", "population",
-                          "options", "colour", "if_missing"})
+                          "options", "colour", "if_missing"}) {
     if (option.name == key) fail("options whose \"name\" is no key of [[solvers]]");
+  }
   if (const auto choices = object.find("choices"); choices != object.end()) {
     for (const Json& choice : *choices) {
       if (!choice.is_string() || !is_plain(choice.get<std::string>())) fail("choices that are texts");
@@ -107,8 +128,10 @@ OptionSpec Message::option(const Json& object) const {
   option.preset = number_in(object, "default", not_a_number);
   if (!(option.low <= option.preset && option.preset <= option.high))
     fail(fmt::format("a number as \"default\" of {}, from \"low\" to \"high\"", option.name));
-  for (const double each : {option.low, option.high, option.preset})
-    if (option.is_whole && each != std::floor(each)) fail(fmt::format("whole numbers of the integer {}", option.name));
+  for (const double number : {option.low, option.high, option.preset}) {
+    if (option.is_whole && number != std::floor(number))
+      fail(fmt::format("whole numbers of the integer {}", option.name));
+  }
   return option;
 }
 
@@ -119,9 +142,9 @@ Hello Message::hello() const {
   if (hello.name.empty()) fail("a \"name\"");
   Json options = json_->value("options", Json::array());
   if (options.is_object()) options = Json::array({options});  // Octave writes a list of one so
-  if (options.size() > most_options) fail(fmt::format("at most {} options", most_options));
-  for (const Json& each : options) {
-    hello.options.push_back(option(each));
+  if (options.size() > max_options) fail(fmt::format("at most {} options", max_options));
+  for (const Json& object : options) {
+    hello.options.push_back(option(object));
     if (std::ranges::count(hello.options, hello.options.back().name, &OptionSpec::name) > 1)
       fail(fmt::format("the option {} once", hello.options.back().name));
   }
@@ -182,27 +205,29 @@ std::map<std::string, double> Message::extras(const char* key) const {
   if (!(object.is_object() || object.is_null()) || object.size() > max_extras)
     fail(fmt::format("at most {} numbers by name as \"{}\"", max_extras, key));
   for (const auto& [name, value] : object.items()) {
-    for (const std::string_view ours : {results::refused_prefix, results::check_extra, results::invalid_extra})
-      if (!is_plain(name) || trimmed(name).empty() || name.starts_with(ours))
-        fail(fmt::format("\"{}\" whose names are texts, not blank and not \"{}...\"", key, ours));
+    for (const std::string_view reserved : {results::refused_prefix, results::check_extra, results::invalid_extra}) {
+      if (!is_plain(name) || trimmed(name).empty() || name.starts_with(reserved))
+        fail(fmt::format("\"{}\" whose names are texts, not blank and not \"{}...\"", key, reserved));
+    }
     if (!(value.is_number() || value.is_null())) fail(fmt::format("numbers by name as \"{}\"", key));
     extras[name] = value.is_null() ? not_a_number : value.get<double>();
   }
   return extras;
 }
 
-std::map<std::string, std::optional<Message>> Message::answers(const std::vector<std::string>& problems) const {
+std::map<std::string, std::optional<Message>> Message::answers(const std::vector<SolveQuestion>& questions) const {
   const Json list = json_->value("answers", Json());
-  if (!list.is_array() || list.size() != problems.size())
-    fail(fmt::format("\"answers\", a list of {}", problems.size()));
-  std::map<std::string, std::optional<Message>> all;
-  for (std::size_t i = 0; i < problems.size(); ++i) {
-    const double seed = Message(problems[i]).number("seed");
-    const Message& its = all[problems[i]].emplace(base::text_of(list[i]));
-    const bool is_theirs = its.has("seed") ? its.number("seed") == seed : its.name() == "declined";
-    if (!is_theirs) its.fail(fmt::format("\"seed\" {}, in the order of the problems", seed));
+  if (!list.is_array() || list.size() != questions.size())
+    fail(fmt::format("\"answers\", a list of {}", questions.size()));
+  std::map<std::string, std::optional<Message>> by_question;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const auto& [text, seed] = questions[i];
+    const Message answer(list[i]);
+    const bool is_in_order = answer.has("seed") ? answer.number("seed") == seed : answer.name() == "declined";
+    if (!is_in_order) answer.fail(fmt::format("\"seed\" {}, in the order of the problems", seed));
+    by_question[text] = answer;
   }
-  return all;
+  return by_question;
 }
 
 bool Message::has(const char* key) const { return json_->contains(key); }
@@ -221,9 +246,10 @@ std::int64_t Message::count(const char* key) const {
   return static_cast<std::int64_t>(value);
 }
 
-std::string robot_message(const Robot& arm, const Chain& searched, const Goal& goal, const std::string& urdf_text_for,
-                          const Hello& hello, const Settings& options) {
-  OrderedJson values = OrderedJson::object(), joints = OrderedJson::array();
+std::string robot_message(const SolveSetup& setup) {
+  const auto& [arm, searched, goal, urdf, hello, options] = setup;
+  OrderedJson values = OrderedJson::object();
+  OrderedJson joints = OrderedJson::array();
   for (const OptionSpec& option : hello.options) {
     const std::string text = text_of(options.at(option.name));
     values[option.name] = option.choices.empty() ? base::parsed_ordered_json(text) : OrderedJson(text);
@@ -232,9 +258,7 @@ std::string robot_message(const Robot& arm, const Chain& searched, const Goal& g
   for (const DhLink& link : searched.links()) {
     const auto index = static_cast<Eigen::Index>(joints.size());
     joints.push_back({{"name", names[joints.size()]},
-                      {"type", link.joint == Joint::turns    ? "revolute"
-                               : link.joint == Joint::slides ? "prismatic"
-                                                             : "coupled"},
+                      {"type", type_of(link.joint)},
                       {"theta", link.offset},
                       {"d", link.d},
                       {"a", link.a},
@@ -253,7 +277,7 @@ std::string robot_message(const Robot& arm, const Chain& searched, const Goal& g
                   {"base", numbers(searched.base().pose().matrix().transpose().reshaped())},
                   {"tip_link", tip_link_of(arm)},
                   {"tool", numbers(searched.tool().pose().matrix().transpose().reshaped())},
-                  {"urdf", urdf_text_for.empty() ? urdf_of(arm, searched) : urdf_text_for}});
+                  {"urdf", urdf.empty() ? urdf_of(arm, searched) : urdf}});
 }
 
 std::string solve_message(const Problem& problem, const Goal& goal, const StopRule& stop, std::uint32_t seed) {

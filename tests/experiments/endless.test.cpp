@@ -50,7 +50,7 @@ TEST_CASE("a joint without end moves the shorter way round, and any other as far
 TEST_CASE("a program gets null for no limit, a whole turn each way to search in, and a rotation by rows", "[endless]") {
   const Robot arm = robot("kinova_gen3");
   const nlohmann::json robot_told =
-      nlohmann::json::parse(robot_message(arm, arm.chain, Eigen::Vector3d(0, 0, 0), "", {}, {}));
+      nlohmann::json::parse(robot_message({.arm = arm, .searched = arm.chain, .goal = Eigen::Vector3d(0, 0, 0)}));
   CHECK(robot_told["joints"][0]["lower"].is_null());
   CHECK(robot_told["joints"][1]["upper"] == arm.limits.upper[1]);
   const Problem problem{

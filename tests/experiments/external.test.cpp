@@ -95,7 +95,8 @@ TEST_CASE("every arm follows from its robot message alone, by the formulas of pr
   arms.push_back(load_robot("tests/data/urdf/ur5_calibrated.urdf"));  // whose axes are almost parallel
   for (const Robot& arm : arms) {
     CAPTURE(arm.name);
-    const auto told = nlohmann::json::parse(robot_message(arm, arm.chain, Eigen::Vector3d(0, 0, 0), "", {}, {}));
+    const auto told =
+        nlohmann::json::parse(robot_message({.arm = arm, .searched = arm.chain, .goal = Eigen::Vector3d(0, 0, 0)}));
     const auto matrix = [&](const char* key) {
       const std::vector<double> numbers = told[key];
       return Eigen::Affine3d(
