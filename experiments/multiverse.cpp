@@ -23,27 +23,27 @@ constexpr EmbeddedFile multiverse_files[]{
 #include "multiverse.inc"
 };
 
-constexpr std::size_t most_tables = 100;
+constexpr std::size_t max_tables = 100;
 
 // Returns all settings that are possible together, one of each dimension.
 std::vector<Overrides> combinations(const std::vector<Dimension>& dimensions) {
-  std::vector<Overrides> all{{}};
+  std::vector<Overrides> combined{{}};
   for (const Dimension& dimension : dimensions) {
-    std::vector<Overrides> larger;
-    for (const Overrides& settings : all) {
-      for (const Alternative& each : dimension) {
-        if (std::ranges::count(settings, each.except) > 0) continue;
-        larger.push_back(settings);
-        larger.back().push_back(each.set);
+    std::vector<Overrides> longer;
+    for (const Overrides& settings : combined) {
+      for (const Alternative& alternative : dimension) {
+        if (std::ranges::count(settings, alternative.except) > 0) continue;
+        longer.push_back(settings);
+        longer.back().push_back(alternative.set);
       }
     }
-    all = std::move(larger);
+    combined = std::move(longer);
   }
-  return all;
+  return combined;
 }
 
-// Returns the key of the search only. No search of a built-in solver depends on the way in which the wrist bends,
-// unless limits or wraps change where a solve starts.
+// Returns a key that is equal for studies whose searches make the same solves. No search of a built-in solver depends
+// on the branch of the wrist, unless limits or wraps change where a solve starts.
 std::string search_key(Study study) {
   if (study.search == Search::wrist && study.limits == LimitPolicy::recorded && study.wrap == WrapPolicy::no &&
       study.start == Start::previous)
@@ -51,7 +51,7 @@ std::string search_key(Study study) {
   return series_key(study, study.solvers.front());
 }
 
-// Returns the solves of one search as they are with the wrist of another study: with its errors and joint motion.
+// Returns the solves of a search as they are with the wrist of this study, with its errors and joint motion.
 std::vector<SolveRecord> with_wrist_of(const Study& study, std::vector<SolveRecord> solves) {
   const robots::Robot arm = robot_of(study);
   const Task task(study, arm);
@@ -66,7 +66,8 @@ std::vector<SolveRecord> with_wrist_of(const Study& study, std::vector<SolveReco
     const auto place = static_cast<std::size_t>(solve.point - 1);
     const robots::Configuration answer = task.with_wrist(
         Eigen::Map<const Eigen::VectorXd>(solve.answer_rad.data(), task.arm().joints()), poses[place], start);
-    const Verification verified = verify(arm, poses[place], start, answer, false, study.motion_joints);
+    const Verification verified =
+        verify(arm, {.target = poses[place], .start = start, .answer = answer, .motion_joints = study.motion_joints});
     solve.position_error_cm = verified.position_error / centimetre;
     solve.variation_deg = verified.joint_motion / degree;
     if (continues_from(solve, study.start)) start = answer;
@@ -74,6 +75,7 @@ std::vector<SolveRecord> with_wrist_of(const Study& study, std::vector<SolveReco
   return solves;
 }
 
+// Returns the means of each run over its points.
 SeriesMeans means_of(const Study& study, const std::vector<SolveRecord>& solves) {
   const auto runs = static_cast<std::size_t>(study.runs);
   SeriesMeans means{.error_cm = std::vector<double>(runs), .variation_deg = std::vector<double>(runs)};
@@ -82,8 +84,9 @@ SeriesMeans means_of(const Study& study, const std::vector<SolveRecord>& solves)
     means.error_cm[run] += solve.position_error_cm;
     means.variation_deg[run] += solve.variation_deg;
   }
-  for (std::vector<double>* all : {&means.error_cm, &means.variation_deg})
-    for (double& value : *all) value /= study.path->points();
+  for (std::vector<double>* const values : {&means.error_cm, &means.variation_deg}) {
+    for (double& value : *values) value /= study.path->points();
+  }
   return means;
 }
 
@@ -94,22 +97,22 @@ std::vector<Dimension> read_dimensions(std::string_view study) {
   if (file == nullptr) return {};
   const toml::table table = parse_toml(file->text, file->name);
   TomlReader reader(table, file->name, "");
-  std::vector<Dimension> list;
-  for (const toml::table* each : reader.tables("dimensions", most_tables, "a list of tables")) {
-    TomlReader of_one = reader.nested(*each, "dimensions.");
-    Dimension& dimension = list.emplace_back();
-    for (const toml::table* alternative : of_one.tables("alternatives", most_tables, "a list of tables")) {
-      TomlReader its = of_one.nested(*alternative, "dimensions.alternatives.");
-      Alternative& one = dimension.emplace_back();
-      its.text("set", one.set);
-      its.text("where", one.where);
-      its.text("except", one.except);
-      its.refuse_unknown_keys();
+  std::vector<Dimension> dimensions;
+  for (const toml::table* dimension_table : reader.tables("dimensions", max_tables, "a list of tables")) {
+    TomlReader at_dimension = reader.nested(*dimension_table, "dimensions.");
+    Dimension& dimension = dimensions.emplace_back();
+    for (const toml::table* alternative_table : at_dimension.tables("alternatives", max_tables, "a list of tables")) {
+      TomlReader at_alternative = at_dimension.nested(*alternative_table, "dimensions.alternatives.");
+      Alternative& alternative = dimension.emplace_back();
+      at_alternative.text("set", alternative.set);
+      at_alternative.text("where", alternative.where);
+      at_alternative.text("except", alternative.except);
+      at_alternative.refuse_unknown_keys();
     }
-    of_one.refuse_unknown_keys();
+    at_dimension.refuse_unknown_keys();
   }
   reader.refuse_unknown_keys();
-  return list;
+  return dimensions;
 }
 
 MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimension>& dimensions, int seeds,
@@ -117,9 +120,9 @@ MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimens
   MultiversePlan plan{{.dimensions = dimensions, .solvers = labels_of(load_study(name)), .readings = {}}, {}};
   std::map<std::string, std::vector<std::size_t>> known;  // parts, by the key of the series with the study's seed
   for (const Overrides& settings : combinations(dimensions)) {
-    Overrides all = overrides;
-    all.insert(all.end(), settings.begin(), settings.end());  // defaults too: one may differ from what another implies
-    const Study study = load_study(name, all);
+    Overrides joined = overrides;
+    joined.insert(joined.end(), settings.begin(), settings.end());  // defaults, too: another setting may change one
+    const Study study = load_study(name, joined);
     plan.readings.push_back({settings});
     for (const SolverEntry& entry : study.solvers) {
       std::vector<std::size_t>& parts = known[series_key(study, entry)];

@@ -28,25 +28,27 @@ namespace {
 
 std::vector<double> to_vector(const Configuration& values) { return {values.begin(), values.end()}; }
 
-// Restores rounding, traps and subnormal numbers after a solve, whatever the solver did to them.
+// The floating-point environment at the begin of a solve. The destructor restores rounding, traps and subnormal
+// numbers, whatever the solver did to them.
 struct FloatingPointGuard {
   FloatingPointGuard() { std::fegetenv(&before); }
   ~FloatingPointGuard() { std::fesetenv(&before); }
   std::fenv_t before;
 };
 
-// Names the solve of a thread for errors, also if a user's class ends the process in it.
-class Place {
+// The solve that a thread makes, for messages of errors, also if a user's class ends the process during the solve.
+class SolveContext {
  public:
-  Place(const std::string& label, int run, int point) : label_(label), run_(run), point_(point) {
+  SolveContext(const std::string& label, int run, int point) : label_(label), run_(run), point_(point) {
     [[maybe_unused]] static const int registered = std::atexit(refuse_to_exit);
     current = this;
   }
-  ~Place() { current = nullptr; }
-  Place(const Place&) = delete;
-  Place& operator=(const Place&) = delete;
+  ~SolveContext() { current = nullptr; }
+  SolveContext(const SolveContext&) = delete;
+  SolveContext& operator=(const SolveContext&) = delete;
 
-  std::string operator()(std::string_view what) const {
+  // Returns a message with the solve before `what`.
+  std::string message(std::string_view what) const {
     return fmt::format("{}, run {}, point {}: {}", label_, run_, point_, what);
   }
 
@@ -54,17 +56,24 @@ class Place {
   // Ends the process with an error, since a run that has not ended must not look as if all were well.
   static void refuse_to_exit() {
     if (current == nullptr) return;
-    const std::string told = one_line((*current)("the solver ends the program (exit)"));
-    std::fputs(fmt::format("ikbench: {}; what is stored is kept\n", told).c_str(), stderr);
+    const std::string message = one_line(current->message("the solver ends the program (exit)"));
+    std::fputs(fmt::format("ikbench: {}; what is stored is kept\n", message).c_str(), stderr);
     std::fflush(stderr);
     ::_exit(2);
   }
-  static thread_local const Place* current;
+  static thread_local const SolveContext* current;
 
   const std::string& label_;
   int run_, point_;
 };
-thread_local const Place* Place::current = nullptr;
+thread_local const SolveContext* SolveContext::current = nullptr;
+
+Timing timing_of(const SolverEntry& entry, int jobs) {
+  if (entry.program && entry.program->choice.batch > 0) return Timing::batch;
+  if (is_debug_build()) return Timing::debug_build;
+  if (jobs > 1) return Timing::parallel;
+  return entry.program ? Timing::process : Timing::clean;
+}
 
 }  // namespace
 
@@ -75,11 +84,7 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, std::stri
       task_(study, arm),
       options_(effective_options(study, entry)),
       key_(std::move(key)),
-      timing_(batch() > 0        ? Timing::batch
-              : is_debug_build() ? Timing::debug_build
-              : jobs > 1         ? Timing::parallel
-              : entry.program    ? Timing::process
-                                 : Timing::clean),
+      timing_(timing_of(entry, jobs)),
       is_counted_(entry.program || solver_info(entry).is_counted) {
   if (!entry.program) return;
   processes_ = std::make_unique<ProcessPool>(entry.program, robot_message({.arm = arm,
@@ -103,13 +108,13 @@ void SolveRunner::end_processes() const {
 }
 
 std::string SolveRunner::anomalies() const {
-  std::vector<std::string> told;
+  std::vector<std::string> clauses;
   if (const std::string failure = processes_ ? processes_->last_failure() : ""; !failure.empty())
-    told.push_back("last failure: " + failure);
+    clauses.push_back("last failure: " + failure);
   if (rerun_differences_ > 0)
-    told.push_back(fmt::format("it answers otherwise when it is asked again, {} of {} times", rerun_differences_.load(),
-                               rerun_count_.load()));
-  return fmt::format("{}", fmt::join(told, "; "));
+    clauses.push_back(fmt::format("it answers otherwise when it is asked again, {} of {} times",
+                                  rerun_differences_.load(), rerun_count_.load()));
+  return fmt::format("{}", fmt::join(clauses, "; "));
 }
 
 SolveRunner::TimedSolve SolveRunner::solve_timed(Solver& solver, const SolveRequest& call) const {
@@ -121,14 +126,14 @@ SolveRunner::TimedSolve SolveRunner::solve_timed(Solver& solver, const SolveRequ
                     .with(static_cast<std::uint64_t>(run))
                     .with(static_cast<std::uint64_t>(point)));
   auto* const program = processes_ ? static_cast<ExternalSolver*>(&solver) : nullptr;
-  const auto asked = std::chrono::steady_clock::now();
+  const auto prepared = std::chrono::steady_clock::now();
   if (program != nullptr) program->prepare(problem, objective);
   TimedSolve timed;
-  const FloatingPointGuard kept;  // takes 0.1 us, outside the solver's time
-  const Place place(entry_.label, run, point);
+  const FloatingPointGuard guard;  // takes 0.1 us, outside the solver's time
+  const SolveContext context(entry_.label, run, point);
   try {
     const bool has_failed = program != nullptr && program->report().failure;  // a failure in the warm-up
-    const auto started = has_failed ? asked : std::chrono::steady_clock::now();
+    const auto started = has_failed ? prepared : std::chrono::steady_clock::now();
     timed.solution = solvers::solve(solver, problem, objective, random, study_.stop, study_.trace);
     timed.answer = task_.with_wrist(timed.solution.best.q, target, start);
     timed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
@@ -136,20 +141,20 @@ SolveRunner::TimedSolve SolveRunner::solve_timed(Solver& solver, const SolveRequ
     if (program != nullptr && program->is_given_up()) timed.seconds = std::numeric_limits<double>::quiet_NaN();
     timed.extras = objective.notes();
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(place(error.what()));
+    throw std::invalid_argument(context.message(error.what()));
   } catch (const std::exception& error) {
-    throw std::runtime_error(place(error.what()));
+    throw std::runtime_error(context.message(error.what()));
   } catch (...) {
-    throw std::runtime_error(place("the solver throws what is no std::exception"));
+    throw std::runtime_error(context.message("the solver throws what is no std::exception"));
   }
   if (program == nullptr) return timed;
-  const ProcessReport& account = timed.report.emplace(program->report());
-  timed.cpu_seconds = account.cpu_seconds;
-  timed.solution.evaluations = account.evaluations;
-  timed.solution.iterations = account.iterations;
+  const ProcessReport& report = timed.report.emplace(program->report());
+  timed.cpu_seconds = report.cpu_seconds;
+  timed.solution.evaluations = report.evaluations;
+  timed.solution.iterations = report.iterations;
   if (study_.trace == Trace::none) return timed;
-  timed.solution.trace = account.trace;
-  timed.solution.improved = account.improved;
+  timed.solution.trace = report.trace;
+  timed.solution.improved = report.improved;
   return timed;
 }
 
@@ -165,7 +170,7 @@ void SolveRunner::warm_up(Solver& solver, const SolveRequest& call, std::size_t 
   }
   try {
     warm_up_calls([&](std::uint32_t) { solve_timed(solver, call); });
-  } catch (const std::exception&) {  // the solve itself will report it
+  } catch (const std::exception&) {  // the first recorded solve will throw this, too
   }
 }
 
@@ -174,22 +179,31 @@ SolveRecord SolveRunner::solve(Solver& solver, const SolveRequest& call) const {
   TimedSolve made = solve_timed(solver, call);
   if (!made.report) made.cpu_seconds = thread_cpu_seconds() - before;
   const auto verified = [&](const Configuration& answer) {
-    return verify(arm_, call.target, call.start, answer, study_.search == Search::axis, study_.motion_joints);
+    return verify(arm_, {.target = call.target,
+                         .start = call.start,
+                         .answer = answer,
+                         .is_axis_free = study_.search == Search::axis,
+                         .motion_joints = study_.motion_joints});
   };
   const Verification as_answered = verified(made.answer);
   const Status status = status_of(made, as_answered, call.target);
-  constexpr int one_in = 10;
-  const auto ended_itself = [&](const TimedSolve& its) {  // otherwise the clock may have chosen the answer
-    return study_.stop.seconds == 0 || its.seconds < study_.stop.seconds;
-  };
-  const bool may_repeat = (processes_ || entry_.custom) && !has_no_answer(status) && ended_itself(made);
-  if (may_repeat && (call.run + call.point) % one_in == 0)
-    if (const TimedSolve again = solve_timed(solver, call);
-        ended_itself(again) && !(again.report && again.report->failure))
-      ++rerun_count_, rerun_differences_ += !same_bits(again.answer, made.answer);
-  if (arm_stays(status))  // the record says that the arm stays
-    return make_record(call, made, status, call.start, verified(call.start));
+  if ((processes_ || entry_.custom) && !has_no_answer(status) && ended_itself(made)) count_rerun(solver, call, made);
+  if (arm_stays(status)) return make_record(call, made, status, call.start, verified(call.start));
   return make_record(call, made, status, made.answer, as_answered);
+}
+
+bool SolveRunner::ended_itself(const TimedSolve& timed) const {
+  return study_.stop.seconds == 0 || timed.seconds < study_.stop.seconds;
+}
+
+void SolveRunner::count_rerun(Solver& solver, const SolveRequest& call, const TimedSolve& made) const {
+  constexpr int one_in = 10;
+  if ((call.run + call.point) % one_in != 0) return;
+  const TimedSolve again = solve_timed(solver, call);
+  const bool has_failed = again.report && again.report->failure;
+  if (!ended_itself(again) || has_failed) return;
+  ++rerun_count_;
+  if (!same_bits(again.answer, made.answer)) ++rerun_differences_;
 }
 
 SolveRecord SolveRunner::make_record(const SolveRequest& call, const TimedSolve& made, Status status,
@@ -250,15 +264,15 @@ SolveRecord SolveRunner::make_record(const SolveRequest& call, const TimedSolve&
 Status SolveRunner::status_of(const TimedSolve& timed, const Verification& verified, const Pose& target) const {
   if (timed.report && timed.report->failure) return *timed.report->failure;
   if (timed.solution.stopped == StopReason::not_finite) return Status::not_finite;
-  const bool claims = timed.report && !std::isnan(timed.report->reported_error);
-  const Status status =
-      classify(verified, {.reported_error = claims ? timed.report->reported_error : timed.solution.position_error,
-                          .report_tolerance = timed.report ? program_report_tolerance : 0,
-                          .reported_pose_error = timed.solution.best.error,
-                          .rotation_weight = task_.goal(target).rotation_weight,
-                          .stop = study_.stop,
-                          .orientation_is_exact = study_.search == Search::wrist,
-                          .limits_are_enforced = study_.limits == LimitPolicy::enforced});
+  const bool is_self_reported = timed.report && !std::isnan(timed.report->reported_error);
+  const Status status = classify(
+      verified, {.reported_error = is_self_reported ? timed.report->reported_error : timed.solution.position_error,
+                 .report_tolerance = timed.report ? program_report_tolerance : 0,
+                 .reported_pose_error = timed.solution.best.error,
+                 .rotation_weight = task_.goal(target).rotation_weight,
+                 .stop = study_.stop,
+                 .orientation_is_exact = study_.search == Search::wrist,
+                 .limits_are_enforced = study_.limits == LimitPolicy::enforced});
   return is_sound(status) && missed_deadline(timed) ? Status::over_budget : status;
 }
 
@@ -267,11 +281,11 @@ Status SolveRunner::status_of(const TimedSolve& timed, const Verification& verif
 bool SolveRunner::missed_deadline(const TimedSolve& timed) const {
   if (!entry_.program && solver_info(entry_).library.empty()) return false;
   if (timed.report && timed.report->ignored_budget) return true;
-  return exceeds_budget({.seconds = timed.report ? credible_seconds(*timed.report, timed.seconds)
-                                                 : std::min(timed.seconds, timed.cpu_seconds),
-                         .evaluations = timed.solution.evaluations,
-                         .iterations = timed.solution.iterations},
-                        study_.stop);
+  const double seconds =
+      timed.report ? credible_seconds(*timed.report, timed.seconds) : std::min(timed.seconds, timed.cpu_seconds);
+  return exceeds_budget(
+      {.seconds = seconds, .evaluations = timed.solution.evaluations, .iterations = timed.solution.iterations},
+      study_.stop);
 }
 
 }  // namespace ikbench::experiments

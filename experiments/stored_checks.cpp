@@ -58,9 +58,9 @@ Pose target_of(const SolveRecord& solve) {
       fmt::format("study {}, {}, run {}, point {}: {}", solve.study, solve.label, solve.run, solve.point, what));
 }
 
-// Calls `action`, and adds to its error that the solve was stored.
+// Calls `action`, and adds to its error that the solve was changed in the store.
 template <class Action>
-void of_stored(Action&& action) {
+void with_store_context(Action&& action) {
   try {
     action();
   } catch (const std::invalid_argument& error) {
@@ -70,17 +70,20 @@ void of_stored(Action&& action) {
 }
 
 // Refuses a stored number that differs from the computed one by more than rounding. Two numbers that are not finite are
-// alike. An arm from a URDF file was verified by its origins and axes; the store has its table, which may be 1e-9 m and
-// rad off.
+// alike. An arm from a URDF file was verified by its origins and axes. The store has the arm's table, which may be
+// 1e-9 m and rad off.
 void expect(const char* column, const SolveRecord& solve, double stored, double computed, double rounding) {
   const bool is_same = std::isfinite(computed) ? std::abs(stored - computed) <= rounding * (1 + std::abs(computed))
                                                : !std::isfinite(stored);
   if (!is_same) refuse(solve, fmt::format("{} is {}, but {} follows from the answer", column, stored, computed));
 }
 
-// The kind of a solver: built in (`ours`); a library or a class of a user, of which a step is one call (`called`); or a
-// program.
-enum class Kind { ours, called, program };
+// The way in which a solver is run, which decides what it can have used.
+enum class SolverKind {
+  built_in,     // stopped after each iteration
+  single_call,  // a library or a user's class, of which a step is one call
+  program       // counts its own iterations
+};
 
 // Returns the entry of a built-in solver with these `options`, which are those of the series; nothing for others. A
 // program may have the name of a built-in solver.
@@ -96,48 +99,49 @@ std::optional<SolverEntry> built_in(const Series& series, const Json& options) {
             "the population of {} is no whole number from {} to {}; it was changed: solve again into another folder",
             base::one_line(base::front(series.label, 60)), population_range.first, population_range.second));
       entry.population = value;
-    } else if (value.is_number())
+    } else if (value.is_number()) {
       entry.options[name] = value.get<double>();
-    else
+    } else {
       entry.options[name] = value.is_string() ? value.get<std::string>() : value.dump();
+    }
   }
   return entry;
 }
 
-Kind kind_of(const Series& series) {
+SolverKind kind_of(const Series& series) {
   const Json options = parsed_json(series.options);
-  if (built_in(series, options)) return Kind::ours;
-  return options.contains("process") ? Kind::program : Kind::called;
+  if (built_in(series, options)) return SolverKind::built_in;
+  return options.contains("process") ? SolverKind::program : SolverKind::single_call;
 }
 
-// Returns true if a solve of the study may have spent this. Built-in solvers are stopped after each iteration. Others
-// stop themselves, but only programs count their own iterations.
-bool may_spend(const StopRule& stop, Kind kind, const SolveRecord& solve) {
+// Returns true if a solver of this kind can have used as much as the solve did.
+bool can_have_used(const StopRule& stop, SolverKind kind, const SolveRecord& solve) {
   if (solve.evaluations == 0 && solve.counted_by == CountedBy::ikbench) return false;
-  if (kind != Kind::program && solve.stop_reason == StopReason::iterations && solve.iterations != stop.iterations)
+  if (kind != SolverKind::program && solve.stop_reason == StopReason::iterations && solve.iterations != stop.iterations)
     return false;
-  if (kind == Kind::ours)
+  if (kind == SolverKind::built_in)
     return solve.counted_by == CountedBy::ikbench && solve.iterations <= stop.iterations &&
            (solve.stop_reason != StopReason::evaluations || solve.evaluations >= stop.evaluations);
   return !is_sound(solve.status) ||
          !exceeds_budget({.evaluations = solve.evaluations, .iterations = solve.iterations}, stop);
 }
 
-// Refuses a solve without the results of the study's check: all its numbers if the answer reached its target, and one
-// reason if the answer is invalid.
-void refuse_wrong_check(const StudyDefinition& study, const SolveRecord& solve) {
-  const bool has_check = !study.check.process.empty(), is_invalid = solve.status == Status::invalid;
+// Returns true if a solve has the results of the study's check: all its numbers if the answer reached its target, and
+// one reason if the answer is invalid. Without a check, no answer is invalid.
+bool has_check_results(const StudyDefinition& study, const SolveRecord& solve) {
+  const bool is_invalid = solve.status == Status::invalid;
+  if (study.check.process.empty()) return !is_invalid;
   const auto is_there = [&](const std::string& number) {
     const auto extra = solve.extras.find(fmt::format("{}{}", check_extra, number));
     return extra != solve.extras.end() && std::isfinite(extra->second);
   };
-  const auto is_fault = [](const auto& extra) { return extra.first.starts_with(invalid_extra); };
-  const bool are_there = !is_reached(solve.status) || std::ranges::all_of(study.check.numbers(), is_there);
-  if (has_check ? !are_there || std::ranges::count_if(solve.extras, is_fault) != is_invalid : is_invalid)
-    refuse(solve, "its status or extras are not what the study's check gives");
+  const auto is_reason = [](const auto& extra) { return extra.first.starts_with(invalid_extra); };
+  if (is_reached(solve.status) && !std::ranges::all_of(study.check.numbers(), is_there)) return false;
+  return std::ranges::count_if(solve.extras, is_reason) == (is_invalid ? 1 : 0);
 }
 
-void check(const StudyDefinition& study, const Robot& arm, Kind kind, const SolveRecord& solve) {
+// Refuses a solve whose values are none of this study and arm.
+void check_shape(const StudyDefinition& study, const Robot& arm, const SolveRecord& solve) {
   if (const std::string wrong = wrong_number(solve); !wrong.empty())
     refuse(solve, fmt::format("{}, which no solve has", wrong));
   if (solve.run < 1 || solve.point < 1 || solve.point > study.points)
@@ -149,36 +153,18 @@ void check(const StudyDefinition& study, const Robot& arm, Kind kind, const Solv
            fmt::format("its target, start or answer is not that of an arm with {}", counted(arm.joints(), "joints")));
   if (arm_stays(solve.status) && solve.answer_rad != solve.start_rad)
     refuse(solve, fmt::format("the arm moved, but its status is {}", name_of(solve.status)));
-  if (!may_spend(study.stop, kind, solve))
-    refuse(solve, fmt::format("it has {} (counted by {}) in {} and stops by {}, which no solve of this study does",
-                              counted(solve.evaluations, "evaluations"), name_of(solve.counted_by),
-                              counted(solve.iterations, "iterations"), name_of(solve.stop_reason)));
-  const Verification computed = verify(arm, target_of(solve), to_eigen(solve.start_rad), to_eigen(solve.answer_rad),
-                                       study.search == Search::axis, study.motion_joints);
-  expect("position_error_cm", solve, solve.position_error_cm, computed.position_error / centimetre, 1e-7);
-  expect("orientation_error", solve, solve.orientation_error, computed.orientation_error, 1e-8);
-  expect("variation_deg", solve, solve.variation_deg, computed.joint_motion / degree, 1e-7);
-  expect("largest_move_deg", solve, solve.largest_move_deg, computed.largest_move / degree, 1e-7);
-  expect("variation_m", solve, solve.variation_m, computed.joint_motion_m, 1e-9);
-  expect("limit_violation_deg", solve, solve.limit_violation_deg, computed.limit_violation / degree, 1e-6);
-  expect("limit_violation_m", solve, solve.limit_violation_m, computed.limit_violation_m, 1e-8);
-  const double far = computed.reached.norm();  // a prismatic joint may be far out; rounding grows with the distance
-  for (Eigen::Index i = 0; i < 3; ++i)
-    expect("reached_position_m", solve, solve.reached_position_m[static_cast<std::size_t>(i)], computed.reached[i],
-           1e-8 * (1 + far));
-  if (solve.status == Status::not_finite && solve.stop_reason != StopReason::not_finite &&
-      std::isfinite(computed.position_error + computed.orientation_error))
-    refuse(solve, "its status is not_finite, but its numbers are finite");
-  refuse_wrong_check(study, solve);
-  if (!is_sound(solve.status) && solve.status != Status::invalid && solve.status != Status::limit_violated)
-    return;                   // the answer is not stored: the arm stayed, or the reported error decided
-  if (kind != Kind::program)  // a program may round, or have the arm from a file
-    expect("reported_error_cm", solve, solve.reported_error_cm, computed.position_error / centimetre, 2e-7);
+}
+
+// Refuses a solve whose status is not that of its answer. Tolerances may be passed by rounding.
+void check_status(const StudyDefinition& study, const Verification& computed, const SolveRecord& solve) {
   const auto status = [&](double rounding) {
-    constexpr double least = std::numeric_limits<double>::min();  // 0 would be no tolerance
-    const auto about = [&](double tolerance) { return tolerance > 0 ? std::max(tolerance + rounding, least) : 0; };
+    constexpr double min_tolerance = std::numeric_limits<double>::min();  // 0 would be no tolerance
+    const auto moved_by_rounding = [&](double tolerance) {
+      return tolerance > 0 ? std::max(tolerance + rounding, min_tolerance) : 0;
+    };
     StopRule stop = study.stop;
-    stop.tolerance = about(stop.tolerance), stop.angle_tolerance = about(stop.angle_tolerance);
+    stop.tolerance = moved_by_rounding(stop.tolerance);
+    stop.angle_tolerance = moved_by_rounding(stop.angle_tolerance);
     return classify(computed, {.reported_error = computed.position_error, .stop = stop});
   };
   const Status reached = solve.status == Status::invalid ? Status::ok : solve.status;
@@ -187,10 +173,59 @@ void check(const StudyDefinition& study, const Robot& arm, Kind kind, const Solv
            fmt::format("status is {}, but {} follows from the answer", name_of(solve.status), name_of(status(0))));
 }
 
+void check(const StudyDefinition& study, const Robot& arm, SolverKind kind, const SolveRecord& solve) {
+  check_shape(study, arm, solve);
+  if (!can_have_used(study.stop, kind, solve))
+    refuse(solve, fmt::format("it has {} (counted by {}) in {} and stops by {}, which no solve of this study does",
+                              counted(solve.evaluations, "evaluations"), name_of(solve.counted_by),
+                              counted(solve.iterations, "iterations"), name_of(solve.stop_reason)));
+  const Verification computed = verify(arm, {.target = target_of(solve),
+                                             .start = to_eigen(solve.start_rad),
+                                             .answer = to_eigen(solve.answer_rad),
+                                             .is_axis_free = study.search == Search::axis,
+                                             .motion_joints = study.motion_joints});
+  expect("position_error_cm", solve, solve.position_error_cm, computed.position_error / centimetre, 1e-7);
+  expect("orientation_error", solve, solve.orientation_error, computed.orientation_error, 1e-8);
+  expect("variation_deg", solve, solve.variation_deg, computed.joint_motion / degree, 1e-7);
+  expect("largest_move_deg", solve, solve.largest_move_deg, computed.largest_move / degree, 1e-7);
+  expect("variation_m", solve, solve.variation_m, computed.joint_motion_m, 1e-9);
+  expect("limit_violation_deg", solve, solve.limit_violation_deg, computed.limit_violation / degree, 1e-6);
+  expect("limit_violation_m", solve, solve.limit_violation_m, computed.limit_violation_m, 1e-8);
+  const double distance = computed.reached.norm();  // rounding grows with the distance, which prismatic joints may have
+  for (Eigen::Index i = 0; i < 3; ++i)
+    expect("reached_position_m", solve, solve.reached_position_m[static_cast<std::size_t>(i)], computed.reached[i],
+           1e-8 * (1 + distance));
+  if (solve.status == Status::not_finite && solve.stop_reason != StopReason::not_finite &&
+      std::isfinite(computed.position_error + computed.orientation_error))
+    refuse(solve, "its status is not_finite, but its numbers are finite");
+  if (!has_check_results(study, solve)) refuse(solve, "its status or extras are not what the study's check gives");
+  if (!is_sound(solve.status) && solve.status != Status::invalid && solve.status != Status::limit_violated)
+    return;                         // the answer is not stored: the arm stayed, or the reported error decided
+  if (kind != SolverKind::program)  // a program may round, or have the arm from a file
+    expect("reported_error_cm", solve, solve.reported_error_cm, computed.position_error / centimetre, 2e-7);
+  check_status(study, computed, solve);
+}
+
+// Refuses a repeated solve that is not the stored one. The study's check is not asked again, so an answer that it
+// refused is `ok` here.
+void expect_same(const SolveRecord& solve, const SolveRecord& again) {
+  const auto compare = [&](const char* column, const auto& repeated, const auto& stored) {
+    if (repeated != stored) refuse(solve, fmt::format("made again, it has {} {}, not {}", column, repeated, stored));
+  };
+  const bool is_before_check = again.status == Status::ok && is_reached(solve.status);
+  compare("status", name_of(is_before_check ? solve.status : again.status), name_of(solve.status));
+  compare("stop_reason", name_of(again.stop_reason), name_of(solve.stop_reason));
+  compare("evaluations", again.evaluations, solve.evaluations);
+  compare("iterations", again.iterations, solve.iterations);
+  compare("restarts", again.restarts, solve.restarts);
+  if (again.improved_at != solve.improved_at) refuse(solve, "made again, it has another improved_at");
+  if (!same_bits(again.answer_rad, solve.answer_rad)) refuse(solve, "made again, it has another answer");
+}
+
 }  // namespace
 
 SolveVisitor answer_check(const StoredStudy& study) {
-  std::map<std::string, Kind> kinds;  // by label
+  std::map<std::string, SolverKind> kinds;  // by label
   for (const Series& series : study.series) kinds[series.label] = kind_of(series);
   return [definition = study.definition, arm = *study_in_store(study).robot_of_file, kinds](const SolveRecord& solve) {
     check(definition, arm, kinds.at(solve.label), solve);
@@ -200,7 +235,7 @@ SolveVisitor answer_check(const StoredStudy& study) {
 SolveVisitor stored_solve_check(const StoredStudy& study) {
   return [check = answer_check(study), start = study.definition.start, is_chained = study.definition.is_chained(),
           next = std::tuple(std::string(), 0, 0), left_rad = std::vector<double>()](const SolveRecord& solve) mutable {
-    of_stored([&] {
+    with_store_context([&] {
       if (is_chained && next == std::tie(solve.label, solve.run, solve.point) && left_rad != solve.start_rad)
         refuse(solve, "it does not start where the solve before it left the arm");
       check(solve);
@@ -214,29 +249,33 @@ SolveVisitor target_replay_check(const StoredStudy& stored) {
   Study study = study_in_store(stored);
   if (!read_stored_targets(stored, study)) return {};
   return [study, run = 0, poses = std::vector<Pose>(),
-          own = std::vector<Configuration>()](const SolveRecord& solve) mutable {
-    if (std::exchange(run, solve.run) != solve.run)
-      poses = targets_of_run(study, *study.robot_of_file, run), own = starts_of_run(study, *study.robot_of_file, run);
+          own_starts = std::vector<Configuration>()](const SolveRecord& solve) mutable {
+    if (run != solve.run) {
+      run = solve.run;
+      poses = targets_of_run(study, *study.robot_of_file, run);
+      own_starts = starts_of_run(study, *study.robot_of_file, run);
+    }
     const auto place = static_cast<std::size_t>(solve.point - 1);
     const bool is_drawn = same_bits(poses[place].translation(), solve.target_position_m) &&
                           same_bits(row_major(poses[place].linear()), solve.target_rotation);
-    const bool begins = !study.is_chained() || solve.point == 1;
-    of_stored([&] {
+    const bool has_own_start = !study.is_chained() || solve.point == 1;
+    with_store_context([&] {
       if (!is_drawn) refuse(solve, "the study's seed draws another target");
-      if (begins && !same_bits(own.empty() ? Configuration(study.initial) : own[place], solve.start_rad))
-        refuse(solve, "the study's seed draws another start");
+      const Configuration start = own_starts.empty() ? Configuration(study.initial) : own_starts[place];
+      if (has_own_start && !same_bits(start, solve.start_rad)) refuse(solve, "the study's seed draws another start");
     });
   };
 }
 
 namespace {
 
-// Throws std::invalid_argument if the key has the source of a built-in solver, and the name is another one.
+// Throws std::invalid_argument if the key has the source of a built-in solver, but the series has another name.
 void check_name(const StoredStudy& study, const Series& series) {
   std::vector<std::string> names;
-  for (const solvers::SolverInfo& info : solvers::all_solvers())
+  for (const solvers::SolverInfo& info : solvers::all_solvers()) {
     if (info.library.empty() && series.key.find(source_key({.solver = info.name})) != std::string::npos)
       names.push_back(info.name);
+  }
   if (names.empty() || std::ranges::count(names, series.algorithm) > 0) return;
   throw std::invalid_argument(fmt::format("study {}, {}: its solves are by {}, not by {}; the name was changed since",
                                           study.name, one_line(front(series.label, 60)), names.front(),
@@ -245,54 +284,43 @@ void check_name(const StoredStudy& study, const Series& series) {
 
 }  // namespace
 
-RerunReport rerun_sample(const Store& store, const StoredStudy& stored, std::int64_t most,
+RerunReport rerun_sample(const Store& store, const StoredStudy& stored, std::int64_t max_solves,
                          const std::function<void(const Progress&)>& progress) {
   Study study = study_in_store(stored);
-  RerunReport found;
+  RerunReport report;
   std::map<std::string, SolverEntry> entries;  // by label
   std::map<std::string, SolveRunner> runners;
   for (const Series& series : stored.series) {
     check_name(stored, series);
     std::optional<SolverEntry> entry = built_in(series, parsed_json(series.options));
     if (!entry)
-      found.external.push_back(series.label);
+      report.external.push_back(series.label);
     else if (series.key.find(source_key(*entry)) == std::string::npos)
-      found.changed_source.push_back(series.label);
+      report.changed_source.push_back(series.label);
     else if (study.stop.seconds == 0)
       runners.try_emplace(series.label, study, entries[series.label] = *entry, series.key, *study.robot_of_file);
   }
   std::vector<SolveRecord> drawn;
-  std::mt19937_64 random(std::random_device{}());  // so that nobody knows before which solves are drawn
+  std::mt19937_64 random(std::random_device{}());  // so that nobody can know the chosen solves before
   store.for_each_in_study(stored, [&](SolveRecord& solve) {
     if (!runners.contains(solve.label)) return;
-    const auto place = std::uniform_int_distribution<std::int64_t>(0, found.eligible++)(random);
-    if (std::ssize(drawn) < most)
+    const auto place = std::uniform_int_distribution<std::int64_t>(0, report.eligible)(random);
+    ++report.eligible;
+    if (std::ssize(drawn) < max_solves)
       drawn.push_back(std::move(solve));
-    else if (place < most)
+    else if (place < max_solves)
       drawn[static_cast<std::size_t>(place)] = std::move(solve);
   });
   for (const SolveRecord& solve : drawn) {
-    if (progress) progress({.done = found.solves, .total = std::ssize(drawn)});
+    if (progress) progress({.done = report.solves, .total = std::ssize(drawn)});
     study.trace = solve.trace_cm.empty() ? solvers::Trace::none : solvers::Trace::best_error;
     const SolveRunner& runner = runners.at(solve.label);
     const SolveRecord again =
         runner.solve(*runner.make_solver(), {target_of(solve), to_eigen(solve.start_rad), solve.run, solve.point});
-    of_stored([&] {
-      const auto compare = [&](const char* column, const auto& made, const auto& of_store) {
-        if (made != of_store) refuse(solve, fmt::format("made again, it has {} {}, not {}", column, made, of_store));
-      };
-      const bool is_same = again.status == Status::ok && is_reached(solve.status);  // the check is not asked again
-      compare("status", name_of(is_same ? solve.status : again.status), name_of(solve.status));
-      compare("stop_reason", name_of(again.stop_reason), name_of(solve.stop_reason));
-      compare("evaluations", again.evaluations, solve.evaluations);
-      compare("iterations", again.iterations, solve.iterations);
-      compare("restarts", again.restarts, solve.restarts);
-      if (again.improved_at != solve.improved_at) refuse(solve, "made again, it has another improved_at");
-      if (!same_bits(again.answer_rad, solve.answer_rad)) refuse(solve, "made again, it has another answer");
-    });
-    ++found.solves;
+    with_store_context([&] { expect_same(solve, again); });
+    ++report.solves;
   }
-  return found;
+  return report;
 }
 
 }  // namespace ikbench::experiments

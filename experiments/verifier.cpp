@@ -19,7 +19,7 @@ using Matrix = Eigen::Matrix4d;
 
 constexpr double rounding = 1e-9;  // [m], [rad]
 
-// Multiplies in the order of the elements. The product of Eigen may add them in another.
+// Returns the product of two matrices. It adds in the order of the elements; the product of Eigen may add in another.
 Matrix product(const Matrix& left, const Matrix& right) {
   Matrix result = Matrix::Zero();
   for (Eigen::Index row = 0; row < 4; ++row) {
@@ -30,38 +30,43 @@ Matrix product(const Matrix& left, const Matrix& right) {
   return result;
 }
 
-// Returns our own sine and cosine, which have the same bits everywhere. The C library is the witness: NaN if the two
-// differ.
+// Returns the sine and cosine of numerics/, which have the same bits everywhere. Returns NaN for both if they differ
+// from those of the C library.
 SinCos witnessed_sin_cos(double angle) {
-  const SinCos of = sin_cos(angle);
-  const bool same = std::abs(of.sine - std::sin(angle)) <= 1e-15 && std::abs(of.cosine - std::cos(angle)) <= 1e-15;
+  const SinCos computed = sin_cos(angle);
+  const bool is_same =
+      std::abs(computed.sine - std::sin(angle)) <= 1e-15 && std::abs(computed.cosine - std::cos(angle)) <= 1e-15;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  return same ? of : SinCos{none, none};
+  return is_same ? computed : SinCos{none, none};
 }
 
 enum Axis : Eigen::Index { x_axis, y_axis, z_axis };
 
 Matrix turned_about(Axis axis, double angle) {
   const auto [sine, cosine] = witnessed_sin_cos(angle);
-  const Eigen::Index one = (axis + 1) % 3, other = (axis + 2) % 3;
+  const Eigen::Index first = (axis + 1) % 3;
+  const Eigen::Index second = (axis + 2) % 3;
   Matrix turn = Matrix::Identity();
-  turn(one, one) = turn(other, other) = cosine;
-  turn(one, other) = -sine, turn(other, one) = sine;
+  turn(first, first) = cosine;
+  turn(second, second) = cosine;
+  turn(first, second) = -sine;
+  turn(second, first) = sine;
   return turn;
 }
 
 Matrix moved(double x, double y, double z) { return Matrix{{1, 0, 0, x}, {0, 1, 0, y}, {0, 0, 1, z}, {0, 0, 0, 1}}; }
 
-// Returns the largest element, at least 0; NaN if the vector is not finite, which maxCoeff may pass over.
+// Returns the largest element, at least 0. Returns NaN if the vector is not finite, which maxCoeff may pass over.
 double largest(const Eigen::VectorXd& values) {
   return values.allFinite() ? std::max(0.0, values.maxCoeff()) : std::numeric_limits<double>::quiet_NaN();
 }
 
-// Returns the values of the prismatic joints, or of the revolute ones, with 0 for the others. So radians and metres
+// Returns the values of all prismatic joints, or of all revolute ones, with 0 for the others. So radians and metres
 // stay apart.
-Eigen::VectorXd of_joints(const Robot& robot, Eigen::VectorXd values, bool do_slide) {
-  for (Eigen::Index j = 0; j < values.size(); ++j)
-    if (robot.chain.slides(j) != do_slide) values[j] = 0;
+Eigen::VectorXd values_of_type(const Robot& robot, Eigen::VectorXd values, bool is_prismatic) {
+  for (Eigen::Index j = 0; j < values.size(); ++j) {
+    if (robot.chain.slides(j) != is_prismatic) values[j] = 0;
+  }
   return values;
 }
 
@@ -82,14 +87,15 @@ double angle_of(double difference) {
   return 2 * arc_tangent(sine, std::sqrt(std::max(0.0, 1 - sine * sine)));
 }
 
-// Returns the root mean square distance of three points of the tool: its own point, and those `weight` along its x and
-// y axes, or along its z axis both ways.
+// Returns the root mean square distance [m] of three points of the tool: its own point, and those `weight` [m] along
+// its x and y axes, or along its z axis both ways if the turn about that axis is free.
 double pose_error(const Verification& verified, double weight) {
-  const Eigen::Vector3d off = verified.pose_difference.col(3),
-                        one = verified.pose_difference.col(verified.turns_freely ? 2 : 0);
-  const Eigen::Vector3d other =
-      verified.turns_freely ? Eigen::Vector3d(-one) : Eigen::Vector3d(verified.pose_difference.col(1));
-  const double squares = off.squaredNorm() + (off + weight * one).squaredNorm() + (off + weight * other).squaredNorm();
+  const auto& difference = verified.pose_difference;
+  const Eigen::Vector3d off = difference.col(3);
+  const Eigen::Vector3d first = difference.col(verified.is_axis_free ? 2 : 0);
+  const Eigen::Vector3d second = verified.is_axis_free ? Eigen::Vector3d(-first) : Eigen::Vector3d(difference.col(1));
+  const double squares =
+      off.squaredNorm() + (off + weight * first).squaredNorm() + (off + weight * second).squaredNorm();
   return std::sqrt(squares / 3);
 }
 
@@ -100,7 +106,7 @@ Matrix pose_of(const Frame& frame) {
   return product(pose, turned_about(x_axis, frame.rpy.x()));
 }
 
-// Returns the motion along or about the axis of a joint: Rodrigues' formula by elements.
+// Returns the motion along or about the axis of a joint, by the elements of Rodrigues' formula.
 Matrix motion_of(const DescribedJoint& joint, double value) {
   const double x = joint.axis.x(), y = joint.axis.y(), z = joint.axis.z();
   if (joint.motion == DescribedJoint::Motion::slides) return moved(value * x, value * y, value * z);
@@ -112,8 +118,8 @@ Matrix motion_of(const DescribedJoint& joint, double value) {
                 {0, 0, 0, 1}};
 }
 
-// Returns the motion of a link, which takes the frame before it to the frame after it.
-Matrix past(const DhLink& link, double joint, const Matrix& before) {
+// Returns the frame behind a link from the frame before the link.
+Matrix frame_behind(const DhLink& link, double joint, const Matrix& before) {
   const double angle = link.joint == Joint::slides ? link.offset : joint + link.offset;
   const double along_z = link.joint == Joint::slides ? link.d + joint : link.d;
   const bool is_coupled = link.joint == Joint::coupled;
@@ -129,7 +135,7 @@ Matrix past(const DhLink& link, double joint, const Matrix& before) {
 Eigen::Matrix4d reference_pose(const Chain& arm, const Eigen::VectorXd& q) {
   Matrix pose = pose_of(arm.base());
   Eigen::Index joint = 0;
-  for (const DhLink& link : arm.links()) pose = past(link, q[joint++], pose);
+  for (const DhLink& link : arm.links()) pose = frame_behind(link, q[joint++], pose);
   return product(pose, pose_of(arm.tool()));
 }
 
@@ -144,50 +150,50 @@ Eigen::Matrix4d reference_pose(const Robot& arm, const Eigen::VectorXd& q) {
   return pose;
 }
 
-Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start, const Eigen::VectorXd& answer,
-                    bool turns_freely, int motion_joints) {
+Verification verify(const Robot& robot, const Answered& answered) {
+  const auto& [target, start, answer, is_axis_free, motion_joints] = answered;
   const Eigen::Matrix4d reached = reference_pose(robot, answer), wanted = target.matrix();
   const Eigen::Matrix3d R = reached.topLeftCorner<3, 3>(), R_wanted = wanted.topLeftCorner<3, 3>();
-  // The remaining turn moves only z: z is off by 2 sin(angle / 2).
-  const double turned_off = turns_freely ? std::sqrt(2.0) * (R - R_wanted).col(2).norm() : (R - R_wanted).norm();
+  // After the free turn only the z axis is off, by 2 sin(angle / 2).
+  const double turned_off = is_axis_free ? std::sqrt(2.0) * (R - R_wanted).col(2).norm() : (R - R_wanted).norm();
   const Eigen::VectorXd move = move_between(robot.limits, start, answer);
   const Eigen::VectorXd outside =
       answer.allFinite() ? (robot.limits.lower - answer).cwiseMax(answer - robot.limits.upper).cwiseMax(0) : answer;
-  const Eigen::VectorXd turned = of_joints(robot, move, false), slid = of_joints(robot, move, true);
+  const Eigen::VectorXd turned = values_of_type(robot, move, false), slid = values_of_type(robot, move, true);
   const Eigen::Index counted = motion_joints == 0 ? move.size() : std::min<Eigen::Index>(motion_joints, move.size());
   return {.reached = reached.topRightCorner<3, 1>(),
           .position_error = (reached - wanted).topRightCorner<3, 1>().norm(),
-          .turns_freely = turns_freely,
+          .is_axis_free = is_axis_free,
           .orientation_error = turned_off / R_wanted.norm(),
           .angle = angle_of(turned_off),
           .pose_difference = (reached - wanted).topRows<3>(),
           .joint_motion = turned.head(counted).norm(),
           .joint_motion_m = slid.norm(),
           .largest_move = largest(turned.cwiseAbs()),
-          .limit_violation = beyond_rounding(largest(of_joints(robot, outside, false))),
-          .limit_violation_m = beyond_rounding(largest(of_joints(robot, outside, true)))};
+          .limit_violation = beyond_rounding(largest(values_of_type(robot, outside, false))),
+          .limit_violation_m = beyond_rounding(largest(values_of_type(robot, outside, true)))};
 }
 
-bool exceeds_budget(const ResourceUse& spent, const StopRule& budget) {
-  const auto exceeds = [](double used, double given) { return given > 0 && used > max_budget_ratio * given; };
-  return exceeds(spent.seconds, budget.seconds) ||
-         exceeds(static_cast<double>(spent.evaluations), static_cast<double>(budget.evaluations)) ||
-         exceeds(static_cast<double>(spent.iterations), budget.iterations);
+bool exceeds_budget(const ResourceUse& used, const StopRule& budget) {
+  const auto exceeds = [](double spent, double given) { return given > 0 && spent > max_budget_ratio * given; };
+  return exceeds(used.seconds, budget.seconds) ||
+         exceeds(static_cast<double>(used.evaluations), static_cast<double>(budget.evaluations)) ||
+         exceeds(static_cast<double>(used.iterations), budget.iterations);
 }
 
-Status classify(const Verification& verified, const AcceptanceCriteria& requirement) {
+Status classify(const Verification& verified, const AcceptanceCriteria& criteria) {
   if (!std::isfinite(verified.position_error) || !std::isfinite(verified.orientation_error)) return Status::not_finite;
-  const bool claim_holds = std::abs(verified.position_error - requirement.reported_error) <=
-                           rounding + requirement.report_tolerance;  // false for NaN
-  const bool pose_claim_holds =
-      requirement.rotation_weight == 0 ||
-      std::abs(pose_error(verified, requirement.rotation_weight) - requirement.reported_pose_error) <= rounding;
-  const bool turned_wrong = requirement.orientation_is_exact && verified.orientation_error > rounding;
-  if (!claim_holds || !pose_claim_holds || turned_wrong) return Status::misreported;
+  const bool error_holds = std::abs(verified.position_error - criteria.reported_error) <=
+                           rounding + criteria.report_tolerance;  // false for NaN
+  const bool pose_error_holds =
+      criteria.rotation_weight == 0 ||
+      std::abs(pose_error(verified, criteria.rotation_weight) - criteria.reported_pose_error) <= rounding;
+  const bool is_turned_wrong = criteria.orientation_is_exact && verified.orientation_error > rounding;
+  if (!error_holds || !pose_error_holds || is_turned_wrong) return Status::misreported;
   if (verified.limit_violation > 0 || verified.limit_violation_m > 0)
-    return requirement.limits_are_enforced ? Status::refused : Status::limit_violated;
-  return requirement.stop.is_met(verified.position_error, verified.angle, rounding) ? Status::ok
-                                                                                    : Status::tolerance_missed;
+    return criteria.limits_are_enforced ? Status::refused : Status::limit_violated;
+  const bool is_met = criteria.stop.is_met(verified.position_error, verified.angle, rounding);
+  return is_met ? Status::ok : Status::tolerance_missed;
 }
 
 }  // namespace ikbench::experiments

@@ -1,4 +1,4 @@
-// Arms whose joints turn without end: the problems of their solvers, their answers, and their moves.
+// Arms with continuous joints: the problems that solvers get, their answers, and the joint motion.
 #include "tests/experiments/samples.hpp"
 
 namespace {
@@ -37,7 +37,9 @@ TEST_CASE("a joint without end moves the shorter way round, and any other as far
   arm.limits = {Eigen::Vector2d(-infinity, -9), Eigen::Vector2d(infinity, 9)};
   const Eigen::VectorXd start = Eigen::Vector2d(0.5, 0.5);
   const auto verified = [&](double first, double second) {
-    return verify(arm, Pose::Identity(), start, Eigen::VectorXd(start + Eigen::Vector2d(first, second)));
+    return verify(arm, {.target = Pose::Identity(),
+                        .start = start,
+                        .answer = Eigen::VectorXd(start + Eigen::Vector2d(first, second))});
   };
   CHECK(verified(2 * half + 0.3, 0).joint_motion == Approx(0.3));
   CHECK(verified(-4 * half - 0.3, 0).largest_move == Approx(0.3));

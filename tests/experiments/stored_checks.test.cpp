@@ -1,4 +1,4 @@
-// A stored error that does not follow from its answer is found.
+// Checks of stored solves: an error that does not follow from the answer is found.
 #include "experiments/stored_checks.hpp"
 
 #include "tests/experiments/samples.hpp"
@@ -14,7 +14,7 @@ Study study_with(const std::string& robot) {
   return study;
 }
 
-// The complaint about the solves; empty if there is none.
+// Returns the complaint about the solves; empty if there is none.
 std::string refused_row(const StoredStudy& entry, const std::vector<SolveRecord>& solves) {
   return complaint<std::invalid_argument>([&] { std::ranges::for_each(solves, stored_solve_check(entry)); });
 }
@@ -54,7 +54,8 @@ TEST_CASE("an answer far beyond a slide's way follows from itself", "[recheck]")
   const auto vector = [](const std::vector<double>& of) { return Eigen::VectorXd::Map(of.data(), std::ssize(of)); };
   Pose target = Pose::Identity();
   target.translation() = vector(far.target_position_m);
-  const Verification of = verify(arm, target, vector(far.start_rad), vector(far.answer_rad));
+  const Verification of =
+      verify(arm, {.target = target, .start = vector(far.start_rad), .answer = vector(far.answer_rad)});
   far.reached_position_m.assign(of.reached.begin(), of.reached.end());
   far.position_error_cm = far.reported_error_cm = of.position_error / centimetre;
   far.variation_m = of.joint_motion_m;

@@ -36,20 +36,22 @@ TEST_CASE("an arm from a URDF file is verified by its origins and axes, not by t
       for (double& joint : q) joint = angle(random);
       REQUIRE((reference_pose(arm, q) - arm.chain.forward(q).matrix()).cwiseAbs().maxCoeff() <= 1e-11);
     }
-    // A table that is wrong by a tenth of a millimetre is a wrong claim.
+    // A table that is wrong by a tenth of a millimetre makes the self-reported error wrong.
     const Pose target = arm.chain.forward(q);
     Robot wrong = arm;
     std::vector<DhLink> links = arm.chain.links();
     links[2].a += 1e-4;
     wrong.chain = Chain(links, arm.chain.base(), arm.chain.tool());
     const double claimed = (wrong.chain.position(q) - target.translation()).norm();
-    CHECK(classify(verify(wrong, target, q, q), {.reported_error = claimed}) == Status::misreported);
+    CHECK(classify(verify(wrong, {.target = target, .start = q, .answer = q}), {.reported_error = claimed}) ==
+          Status::misreported);
   }
 }
 
 TEST_CASE("the position error is the Euclidean distance", "[verifier][paper]") {
   // The tool is at (1, 0, 0); the target 0.3 m, 0.4 m, 1.2 m off: 1.3 m away (Eq. 1).
-  const Verification verified = verify(robot("planar_2"), place(1.3, 0.4, -1.2), to_eigen({0, 0}), to_eigen({0, 0}));
+  const Verification verified = verify(
+      robot("planar_2"), {.target = place(1.3, 0.4, -1.2), .start = to_eigen({0, 0}), .answer = to_eigen({0, 0})});
   CHECK(verified.position_error == Approx(1.3));
 }
 
@@ -58,7 +60,8 @@ TEST_CASE("the orientation error is ||R - Rd|| / ||Rd||", "[verifier][paper]") {
   const auto error_at = [](double theta) {
     Pose target = place(1, 0, 0);
     target.linear() = Eigen::AngleAxisd(theta, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    return verify(robot("planar_2"), target, to_eigen({0, 0}), to_eigen({0, 0})).orientation_error;
+    return verify(robot("planar_2"), {.target = target, .start = to_eigen({0, 0}), .answer = to_eigen({0, 0})})
+        .orientation_error;
   };
   CHECK(error_at(0) == Approx(0).margin(1e-15));
   CHECK(error_at(pi / 2) == Approx(2 / std::sqrt(3.0)));  // sqrt(4/3)
@@ -69,21 +72,25 @@ TEST_CASE("the orientation error is ||R - Rd|| / ||Rd||", "[verifier][paper]") {
 TEST_CASE("the variation is the norm of the joint moves over all joints, the largest move that of one",
           "[verifier][paper]") {
   const Eigen::VectorXd start = to_eigen({0.1, 0.2, 0.3});
-  const Verification verified = verify(robot("planar_3"), place(0, 0, 0), start, start + to_eigen({0.3, -0.4, 1.2}));
+  const Verification verified = verify(
+      robot("planar_3"), {.target = place(0, 0, 0), .start = start, .answer = start + to_eigen({0.3, -0.4, 1.2})});
   CHECK(verified.joint_motion == Approx(1.3));  // Eq. 12: sqrt(0.09 + 0.16 + 1.44)
   CHECK(verified.largest_move == Approx(1.2));
-  const Verification of_two =
-      verify(robot("planar_3"), place(0, 0, 0), start, start + to_eigen({0.3, -0.4, 1.2}), false, 2);
+  const Verification of_two = verify(
+      robot("planar_3"),
+      {.target = place(0, 0, 0), .start = start, .answer = start + to_eigen({0.3, -0.4, 1.2}), .motion_joints = 2});
   CHECK(of_two.joint_motion == Approx(0.5));
   CHECK(of_two.largest_move == Approx(1.2));  // of all joints
-  CHECK(verify(robot("planar_3"), place(0, 0, 0), start, start + to_eigen({0.3, -0.4, 0.2})).largest_move ==
-        Approx(0.4));  // a move down is a move
+  CHECK(verify(robot("planar_3"),
+               {.target = place(0, 0, 0), .start = start, .answer = start + to_eigen({0.3, -0.4, 0.2})})
+            .largest_move == Approx(0.4));  // a move down is a move
 }
 
 TEST_CASE("metres of joints that slide and radians of those that turn are never added", "[verifier]") {
   const Robot arm = robot("stanford");  // its third joint slides, from 0.3048 to 1.27 m
   const Eigen::VectorXd start = to_eigen({0, 0, 0.5, 0, 0, 0});
-  const Verification verified = verify(arm, place(0, 0, 0), start, start + to_eigen({0.3, 0, 0.8, 0, -0.4, 0}));
+  const Verification verified =
+      verify(arm, {.target = place(0, 0, 0), .start = start, .answer = start + to_eigen({0.3, 0, 0.8, 0, -0.4, 0})});
   CHECK(verified.joint_motion == Approx(0.5));
   CHECK(verified.joint_motion_m == Approx(0.8));
   CHECK(verified.largest_move == Approx(0.4));
@@ -96,16 +103,18 @@ TEST_CASE("a joint without limits violates none, however far it turns, unless it
   const Robot arm = robot("kinova_gen3");
   Eigen::VectorXd q = Eigen::VectorXd::Zero(7);
   q[0] = -1e4;
-  CHECK(verify(arm, place(0, 0, 0), q, q).limit_violation == 0);
+  CHECK(verify(arm, {.target = place(0, 0, 0), .start = q, .answer = q}).limit_violation == 0);
   q[0] = infinity;
-  CHECK_FALSE(std::isfinite(verify(arm, place(0, 0, 0), q, q).limit_violation));
+  CHECK_FALSE(std::isfinite(verify(arm, {.target = place(0, 0, 0), .start = q, .answer = q}).limit_violation));
 }
 
 TEST_CASE("the limit violation is that of the worst joint, on either side", "[verifier]") {
   const double degree = pi / 180;  // limits of the iiwa: 170, 120, 170, 120, 170, 120, 175 deg, Table 2
   const auto violation_deg = [&](std::initializer_list<double> degrees) {
     const Eigen::VectorXd q = to_eigen(degrees) * degree;
-    return verify(robot("kuka_iiwa14"), place(0, 0, 0), Eigen::VectorXd::Zero(7), q).limit_violation / degree;
+    return verify(robot("kuka_iiwa14"), {.target = place(0, 0, 0), .start = Eigen::VectorXd::Zero(7), .answer = q})
+               .limit_violation /
+           degree;
   };
   CHECK(violation_deg({170, -120, 170, -120, 170, -120, 175}) == Approx(0).margin(1e-12));
   CHECK(violation_deg({0, 121, 0, 0, 0, 0, 0}) == Approx(1));
@@ -118,7 +127,8 @@ TEST_CASE("an answer that is not finite gives errors that are not finite", "[ver
     for (int joint = 0; joint < 7; ++joint) {
       Eigen::VectorXd answer = Eigen::VectorXd::Zero(7);
       answer[joint] = bad;
-      const Verification verified = verify(robot("kuka_iiwa14"), place(0.5, 0, 0.5), Eigen::VectorXd::Zero(7), answer);
+      const Verification verified = verify(
+          robot("kuka_iiwa14"), {.target = place(0.5, 0, 0.5), .start = Eigen::VectorXd::Zero(7), .answer = answer});
       CHECK_FALSE((std::isfinite(verified.position_error) && std::isfinite(verified.orientation_error)));
       CHECK_FALSE(std::isfinite(verified.joint_motion));
       CHECK_FALSE(std::isfinite(verified.largest_move));
@@ -130,7 +140,9 @@ TEST_CASE("an answer that is not finite gives errors that are not finite", "[ver
 
 TEST_CASE("a joint outside its limits by more than rounding is a violation", "[verifier]") {
   const auto violated = [](double outside) {  // the limits of planar_2 are +-180 deg
-    return verify(robot("planar_2"), place(0, 0, 0), to_eigen({0, 0}), to_eigen({0, pi + outside})).limit_violation;
+    return verify(robot("planar_2"),
+                  {.target = place(0, 0, 0), .start = to_eigen({0, 0}), .answer = to_eigen({0, pi + outside})})
+        .limit_violation;
   };
   CHECK(violated(2e-9) == Approx(2e-9));
   CHECK(violated(0.5e-9) == 0);
@@ -145,12 +157,12 @@ TEST_CASE("the angle between a target and the tool is that by which the one is t
     Pose target = arm.chain.forward(q);
     target.rotate(Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, -3).normalized()));
     const double rounding = angle < 3 ? 4e-15 : 3e-8;  // the sine of half of it is flat at half a turn
-    CHECK(std::abs(verify(arm, target, q, q).angle - angle) <= rounding);
-    // Where the tool may turn about its z axis, the angle is that between two such axes, and the rest of Eq. 3 its own.
+    CHECK(std::abs(verify(arm, {.target = target, .start = q, .answer = q}).angle - angle) <= rounding);
+    // If the tool may turn about its z axis, only the angle between the two z axes counts.
     const Eigen::Matrix3d R = arm.chain.forward(q).linear();
     target.linear() = R * Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 0).normalized()) *
                       Eigen::AngleAxisd(2, Eigen::Vector3d::UnitZ());
-    const Verification free = verify(arm, target, q, q, true);
+    const Verification free = verify(arm, {.target = target, .start = q, .answer = q, .is_axis_free = true});
     CHECK(std::abs(free.angle - angle) <= 3e-8);
     CHECK(std::abs(free.orientation_error - std::sqrt(8.0 / 3) * std::sin(angle / 2)) <= 4e-15);
   }
@@ -210,7 +222,7 @@ TEST_CASE("what is claimed of a pose or an axis has to hold of its position and 
   Pose target = arm.chain.forward(q);
   target.rotate(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX()));
   target.translation() += Eigen::Vector3d(0.03, 0, 0.04);
-  const Verification verified = verify(arm, target, q, q, is_axis);
+  const Verification verified = verify(arm, {.target = target, .start = q, .answer = q, .is_axis_free = is_axis});
   Eigen::VectorXd error(1);
   arm.chain.pose_errors(q, target, 0.3, error, is_axis);
   const AcceptanceCriteria honest{.reported_error = 0.05, .reported_pose_error = error[0], .rotation_weight = 0.3};
