@@ -10,6 +10,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -30,14 +31,15 @@ using namespace results;
 namespace {
 
 // The unit of scheduling: one run if each solve starts at the previous answer, otherwise one target.
-struct Part {
-  int run = 1, first = 1, last = 1;  // points
+struct WorkUnit {
+  int run = 1;
+  int first = 1, last = 1;  // points
 };
 
 // The work of a study, and which of its solves are stored.
 struct StudyWork {
-  StudyWork(const Study& asked, const std::vector<Series>& series, int jobs, Shard shard_of_it = {})
-      : study(asked), shard(shard_of_it), arm(robot_of(asked)), points(asked.path->points()) {
+  StudyWork(const Study& asked, const std::vector<Series>& series, int jobs, Shard shard_of_study = {})
+      : study(asked), shard(shard_of_study), arm(robot_of(asked)), points(asked.path->points()) {
     for (std::size_t s = 0; s < series.size(); ++s)
       solve_runners.emplace_back(study, study.solvers[s], series[s].key, arm, jobs);
     stored.resize(solve_runners.size(), std::vector<bool>(place(study.runs, points) + 1));
@@ -49,10 +51,10 @@ struct StudyWork {
     return static_cast<std::size_t>(run - 1) * static_cast<std::size_t>(points) + static_cast<std::size_t>(point - 1);
   }
   bool has(std::size_t solver, int run, int point) const { return stored[solver][place(run, point)]; }
-  // Returns the first point of a part that is not stored, or the one after its last if all are.
-  int next_point(std::size_t solver, const Part& part) const {
-    int point = part.first;
-    while (point <= part.last && has(solver, part.run, point)) ++point;
+  // Returns the first point of a unit that is not stored, or the one after its last if all are.
+  int next_point(std::size_t solver, const WorkUnit& unit) const {
+    int point = unit.first;
+    while (point <= unit.last && has(solver, unit.run, point)) ++point;
     return point;
   }
   // Returns the configuration where the next solve of a chained run begins.
@@ -61,26 +63,29 @@ struct StudyWork {
     if (stored_chain == left_arm.end()) return study.initial;
     return stored_chain->second;
   }
-  int turns() const {
+  int rounds() const {
     return shard.count > 1 ? 1 : static_cast<int>(std::min<std::int64_t>(study.turns, work_unit_count(study)));
   }
-  std::vector<Part> parts_in(Shard its) const {
+  std::vector<WorkUnit> units_in(Shard share) const {
     const int last = study.is_chained() ? 1 : points;
-    std::vector<Part> parts;
-    for (int run = 1; run <= study.runs; ++run)
-      for (int point = 1; point <= last; ++point)
-        if (is_in_shard(its, study, run, point)) parts.push_back({run, point, study.is_chained() ? points : point});
-    return parts;
+    std::vector<WorkUnit> units;
+    for (int run = 1; run <= study.runs; ++run) {
+      for (int point = 1; point <= last; ++point) {
+        if (is_in_shard(share, study, run, point)) units.push_back({run, point, study.is_chained() ? points : point});
+      }
+    }
+    return units;
   }
-  // Returns the missing parts of one turn, grouped by the solvers that lack them: within a session all solvers have the
-  // same targets to do. After an interruption the cut targets form a group of their own.
-  std::map<std::vector<std::size_t>, std::vector<Part>> sessions_of(int turn) const {
-    std::map<std::vector<std::size_t>, std::vector<Part>> sessions;
-    for (const Part& part : parts_in(shard.count > 1 ? shard : Shard{.index = turn, .count = turns()})) {
-      std::vector<std::size_t> who;
-      for (std::size_t s = 0; s < stored.size(); ++s)
-        if (next_point(s, part) <= part.last) who.push_back(s);
-      if (!who.empty()) sessions[who].push_back(part);
+  // Returns the missing units of one round, grouped by the solvers that lack them: within a session all solvers have
+  // the same targets to do. After an interruption the cut targets form a group of their own.
+  std::map<std::vector<std::size_t>, std::vector<WorkUnit>> sessions_of(int round) const {
+    std::map<std::vector<std::size_t>, std::vector<WorkUnit>> sessions;
+    for (const WorkUnit& unit : units_in(shard.count > 1 ? shard : Shard{.index = round, .count = rounds()})) {
+      std::vector<std::size_t> lacking;
+      for (std::size_t s = 0; s < stored.size(); ++s) {
+        if (next_point(s, unit) <= unit.last) lacking.push_back(s);
+      }
+      if (!lacking.empty()) sessions[lacking].push_back(unit);
     }
     return sessions;
   }
@@ -127,23 +132,23 @@ std::int64_t move_past_stored(StudyWork& work, const Store& store) {
   return stored;
 }
 
-// Runs `solve`, and repeats it (at most 10 times) if this process stood still for more than a tenth of its time.
-// Returns nothing if a stop was requested, unless the solve succeeded: who stops this process may have stopped the
-// program first.
+// Runs `solve`, and repeats it (at most 10 times) if this process was suspended for more than a tenth of it. Returns
+// nothing if a stop was requested, unless the solve succeeded: whoever stops this process may have stopped the program
+// first.
 template <class Solve>
-std::optional<SolveRecord> undisturbed(SuspensionWatch& pauses, const StopRequested& is_over, Solve&& solve) {
-  constexpr int most_tries = 10;
-  for (int tries = 0; tries < most_tries; ++tries) {
-    const auto paused_before = pauses.suspended();
+std::optional<SolveRecord> without_suspension(SuspensionWatch& watch, const StopRequested& is_over, Solve&& solve) {
+  constexpr int max_tries = 10;
+  for (int tries = 0; tries < max_tries; ++tries) {
+    const auto suspended_before = watch.suspended();
     const auto began = SuspensionWatch::Clock::now();
     SolveRecord record = solve();
-    const bool stood_still = 10 * (pauses.suspended() - paused_before) > SuspensionWatch::Clock::now() - began;
-    if (!stood_still && (record.status == Status::ok || !is_over())) return record;
+    const bool was_suspended = 10 * (watch.suspended() - suspended_before) > SuspensionWatch::Clock::now() - began;
+    if (!was_suspended && (record.status == Status::ok || !is_over())) return record;
     if (is_over()) return std::nullopt;
   }
   throw std::runtime_error(
       fmt::format("this process stood still in each of {} tries of a solve; run the same command again, and it goes on",
-                  most_tries));
+                  max_tries));
 }
 
 // Asks the study's check about an answer that reached its target. Returns false if a stop was requested and the check
@@ -153,20 +158,20 @@ bool is_checked(const StudyWork& work, std::unique_ptr<ChildProcess>& checker, S
   try {
     if (work.study.checker && record.status == Status::ok) check_answer(work.study, work.arm, checker, record);
     return true;
-  } catch (const ProcessFailure& trouble) {
-    const std::string told = trouble.why + (checker ? checker->end_after(trouble.kind) : "");
+  } catch (const ProcessFailure& failure) {
+    const std::string why = failure.why + (checker ? checker->end_after(failure.kind) : "");
     if (is_over()) return false;
     throw std::invalid_argument(fmt::format("[check] of {}, run {}, point {}: {}; what is stored is kept", record.label,
-                                            record.run, record.point, told));
+                                            record.run, record.point, why));
   }
 }
 
-// Returns a drawn order of the solvers. Each second turn has the order of the turn before, reversed.
-std::vector<std::size_t> order_of(const Study& study, std::vector<std::size_t> solvers, int turn) {
-  numerics::Random random(numerics::Key(study.seed).with("order").with(static_cast<std::uint64_t>((turn + 1) / 2)));
+// Returns a drawn order of the solvers. Each second round has the order of the round before, reversed.
+std::vector<std::size_t> order_in_round(const Study& study, std::vector<std::size_t> solvers, int round) {
+  numerics::Random random(numerics::Key(study.seed).with("order").with(static_cast<std::uint64_t>((round + 1) / 2)));
   for (std::size_t left = solvers.size(); left > 1; --left)
     std::swap(solvers[left - 1], solvers[static_cast<std::size_t>(random.index(static_cast<int>(left)))]);
-  if (turn % 2 == 0) std::ranges::reverse(solvers);
+  if (round % 2 == 0) std::ranges::reverse(solvers);
   return solvers;
 }
 
@@ -179,150 +184,245 @@ struct WorkerState {
   std::vector<Pose> poses = {};
   std::vector<Configuration> own_starts = {};
 
-  // Returns the question at a point. A chain continues at `left_arm`.
+  // Returns the call for a point. A chain continues at `left_arm`.
   SolveRequest call_at(const StudyWork& work, int run, int point, const Configuration& left_arm) {
-    if (std::exchange(at_run, run) != run)
-      poses = targets_of_run(work.study, work.arm, run), own_starts = starts_of_run(work.study, work.arm, run);
+    if (at_run != run) {
+      at_run = run;
+      poses = targets_of_run(work.study, work.arm, run);
+      own_starts = starts_of_run(work.study, work.arm, run);
+    }
     const auto place = static_cast<std::size_t>(point - 1);
     return {poses[place], own_starts.empty() ? left_arm : own_starts[place], run, point};
   }
-  void prepare(const StudyWork& work, const std::vector<std::size_t>& which, const std::vector<Part>& parts,
+  // Makes the solvers with these indices, and warms each up with a call of the last unit.
+  void prepare(const StudyWork& work, const std::vector<std::size_t>& indices, const std::vector<WorkUnit>& units,
                std::size_t together) {
-    const SolveRequest call = call_at(work, parts.back().run, parts.back().last, work.study.initial);
-    for (const std::size_t s : which) {
+    const SolveRequest call = call_at(work, units.back().run, units.back().last, work.study.initial);
+    for (const std::size_t s : indices) {
       solvers.push_back(work.solve_runners[s].make_solver());
-      work.solve_runners[s].warm_up(*solvers.back(), call, std::min(together, parts.size()));
+      work.solve_runners[s].warm_up(*solvers.back(), call, std::min(together, units.size()));
     }
   }
 };
 
-// Solves what these solvers lack of the parts, `jobs` at once. Their batches have one size. A group is one part, the
-// parts of a batch, or two parts if a call on the other comes between the two calls on a target. All solvers take turns
-// at being first in a group. Solves are passed on whatever ends this, such as a solve that `check` refuses.
-void solve_with_batch_size(const StudyWork& work, const std::vector<std::size_t>& solvers,
-                           const std::vector<Part>& parts, int jobs, const std::atomic<bool>* cancelled,
-                           const SolveVisitor& check, RecordQueue& record_queue) {
-  const auto batch = static_cast<std::size_t>(work.solve_runners[solvers.front()].batch());
-  const bool is_hot = work.study.state == CacheState::warm && batch == 0;
-  const std::size_t together = std::max<std::size_t>(batch, is_hot ? 2 : 1), rest = batch > 0 ? together - 1 : 0;
-  const std::size_t groups = std::max<std::size_t>(1, (parts.size() + rest) / together);  // the rest is a batch, too
-  SuspensionWatch pauses;
-  std::vector<WorkerState> benches(static_cast<std::size_t>(jobs));
-  const auto work_on = [&](std::size_t turn, std::size_t worker, const StopRequested& is_over) {
-    WorkerState& bench = benches[worker];
-    if (bench.solvers.empty()) bench.prepare(work, solvers, parts, together);
-    const std::size_t group = turn / solvers.size(), its = (turn + group) % solvers.size(), s = solvers[its];
-    const auto first = parts.begin() + static_cast<std::ptrdiff_t>(group * together);
-    const auto end = group + 1 == groups ? parts.end() : first + static_cast<std::ptrdiff_t>(together);
-    const SolveRunner& solve_runner = work.solve_runners[s];
-    solvers::Solver& solver = *bench.solvers[its];
-    const auto hand_in = [&](SolveRecord& record) {
-      if (!is_checked(work, bench.checker, record, is_over)) return false;
-      if (check) check(record);
-      record_queue.push(std::move(record));
-      return true;
-    };
-    std::vector<SolveRecord> hot;  // checked after the last call, since a check would cool the caches
-    const StopRequested is_cut =
-        batch > 0 ? StopRequested([] { return false; }) : is_over;  // a batch is stored whole or not at all
-    const auto heated = [&] {
-      for (auto part = first; part != end && !is_cut(); ++part)
-        solve_runner.warm_call(solver, bench.call_at(work, part->run, part->first, work.study.initial));
-      return SolveRecord{.status = batch == 0 || solve_runner.send_batch(solver) ? Status::ok : Status::crashed};
-    };
-    if ((is_hot || batch > 0) && !undisturbed(pauses, is_over, heated)) return;
-    if (batch > 0) solve_runner.count_failure(solver);
-    for (auto part = first; part != end; ++part) {
-      Configuration left_arm = work.chain_end(s, part->run);
-      for (int point = work.next_point(s, *part); point <= part->last && !is_cut(); ++point) {
-        const SolveRequest call = bench.call_at(work, part->run, point, left_arm);
-        std::optional<SolveRecord> record =
-            undisturbed(pauses, is_cut, [&] { return solve_runner.solve(solver, call); });
-        if (!record) break;
-        if (!is_over()) solve_runner.count_failure(solver);
-        if (continues_from(*record, work.study.start)) left_arm = to_eigen(record->answer_rad);
-        if (is_hot && work.study.checker)
-          hot.push_back(std::move(*record));
-        else if (!hand_in(*record))
-          break;
-      }
-    }
-    for (SolveRecord& record : hot)
-      if (!hand_in(record)) break;
-  };
-  try {
-    parallel_for(groups * solvers.size(), jobs, cancelled, work_on);
-  } catch (...) {
-    record_queue.flush();
-    throw;
-  }
-  record_queue.flush();
-  benches.clear();
-  for (const std::size_t s : solvers) work.solve_runners[s].end_processes();
-}
+// The circumstances of solving, the same for all sessions of a run.
+struct Execution {
+  const StudyWork& work;
+  int jobs = 1;
+  const std::atomic<bool>* cancelled = nullptr;
+  SolveVisitor check = {};  // gets each record before it is passed on; empty: none
+  RecordQueue& record_queue;
+};
 
-void solve_multiverse(const StudyWork& work, const std::vector<std::size_t>& solvers, const std::vector<Part>& parts,
-                      int jobs, const std::atomic<bool>* cancelled, const SolveVisitor& check,
-                      RecordQueue& record_queue) {
+// Solves what some solvers lack of the units. The batches of these solvers have one size. A group is one unit, the
+// units of a batch, or two units if a call on the other one comes between the two calls on a target. The solvers take
+// turns at being first in a group.
+class GroupedWork {
+ public:
+  GroupedWork(const Execution& execution, const std::vector<std::size_t>& solvers, const std::vector<WorkUnit>& units)
+      : execution_(execution),
+        work_(execution.work),
+        solvers_(solvers),
+        units_(units),
+        batch_(static_cast<std::size_t>(work_.solve_runners[solvers.front()].batch())),
+        is_warm_(work_.study.state == CacheState::warm && batch_ == 0),
+        group_size_(std::max<std::size_t>(batch_, is_warm_ ? 2 : 1)),
+        states_(static_cast<std::size_t>(execution.jobs)) {
+    const std::size_t rest = batch_ > 0 ? group_size_ - 1 : 0;  // the last units are a batch, too
+    groups_ = std::max<std::size_t>(1, (units.size() + rest) / group_size_);
+  }
+
+  // Records are passed on whatever ends this, such as a solve that the check refuses.
+  void solve() {
+    try {
+      parallel_for(groups_ * solvers_.size(), execution_.jobs, execution_.cancelled,
+                   [this](std::size_t index, std::size_t worker, const StopRequested& is_over) {
+                     solve_group(assigned(index, worker, is_over));
+                   });
+    } catch (...) {
+      execution_.record_queue.flush();
+      throw;
+    }
+    execution_.record_queue.flush();
+    states_.clear();
+    for (const std::size_t s : solvers_) work_.solve_runners[s].end_processes();
+  }
+
+ private:
+  // The work of one solver on one group.
+  struct Assignment {
+    WorkerState& state;
+    std::size_t solver_index;
+    solvers::Solver& solver;
+    const SolveRunner& solve_runner;
+    std::span<const WorkUnit> units;
+    const StopRequested& is_over;
+    StopRequested is_cut;  // as is_over; never for a batch, which is stored whole or not at all
+  };
+
+  Assignment assigned(std::size_t index, std::size_t worker, const StopRequested& is_over) {
+    WorkerState& state = states_[worker];
+    if (state.solvers.empty()) state.prepare(work_, solvers_, units_, group_size_);
+    const std::size_t group = index / solvers_.size();
+    const std::size_t place = (index + group) % solvers_.size();
+    const std::size_t first = group * group_size_;
+    const std::size_t end = group + 1 == groups_ ? units_.size() : first + group_size_;
+    return {.state = state,
+            .solver_index = solvers_[place],
+            .solver = *state.solvers[place],
+            .solve_runner = work_.solve_runners[solvers_[place]],
+            .units = std::span(units_).subspan(first, end - first),
+            .is_over = is_over,
+            .is_cut = batch_ > 0 ? StopRequested([] { return false; }) : is_over};
+  }
+
+  void solve_group(const Assignment& assignment) {
+    if ((is_warm_ || batch_ > 0) && !make_first_calls(assignment)) return;
+    if (batch_ > 0) assignment.solve_runner.count_failure(assignment.solver);
+    std::vector<SolveRecord> unchecked;  // checked after the last call, because a check would cool the caches
+    for (const WorkUnit& unit : assignment.units) solve_unit(unit, assignment, unchecked);
+    for (SolveRecord& record : unchecked) {
+      if (!pass_on(record, assignment)) break;
+    }
+  }
+
+  // Makes the first call on each target of a group, unrecorded: warm ones warm the caches, those of a batch are sent
+  // together. Returns false if a stop was requested.
+  bool make_first_calls(const Assignment& assignment) {
+    const auto calls = [&] {
+      for (const WorkUnit& unit : assignment.units) {
+        if (assignment.is_cut()) break;
+        assignment.solve_runner.warm_call(assignment.solver,
+                                          assignment.state.call_at(work_, unit.run, unit.first, work_.study.initial));
+      }
+      const bool has_succeeded = batch_ == 0 || assignment.solve_runner.send_batch(assignment.solver);
+      return SolveRecord{.status = has_succeeded ? Status::ok : Status::crashed};
+    };
+    return without_suspension(watch_, assignment.is_over, calls).has_value();
+  }
+
+  void solve_unit(const WorkUnit& unit, const Assignment& assignment, std::vector<SolveRecord>& unchecked) {
+    const auto& [state, s, solver, solve_runner, units, is_over, is_cut] = assignment;
+    Configuration left_arm = work_.chain_end(s, unit.run);
+    for (int point = work_.next_point(s, unit); point <= unit.last && !is_cut(); ++point) {
+      const SolveRequest call = state.call_at(work_, unit.run, point, left_arm);
+      const auto solve = [&runner = solve_runner, &of_worker = solver, &call] { return runner.solve(of_worker, call); };
+      std::optional<SolveRecord> record = without_suspension(watch_, is_cut, solve);
+      if (!record) return;
+      if (!is_over()) solve_runner.count_failure(solver);
+      if (continues_from(*record, work_.study.start)) left_arm = to_eigen(record->answer_rad);
+      if (is_warm_ && work_.study.checker)
+        unchecked.push_back(std::move(*record));
+      else if (!pass_on(*record, assignment))
+        return;
+    }
+  }
+
+  // Checks a record and passes it on. Returns false if a stop was requested and the study's check failed.
+  bool pass_on(SolveRecord& record, const Assignment& assignment) {
+    if (!is_checked(work_, assignment.state.checker, record, assignment.is_over)) return false;
+    if (execution_.check) execution_.check(record);
+    execution_.record_queue.push(std::move(record));
+    return true;
+  }
+
+  const Execution& execution_;
+  const StudyWork& work_;
+  const std::vector<std::size_t>& solvers_;  // indices
+  const std::vector<WorkUnit>& units_;
+  std::size_t batch_;  // problems; 0: one by one
+  bool is_warm_;
+  std::size_t group_size_;  // units
+  std::size_t groups_ = 1;
+  SuspensionWatch watch_;
+  std::vector<WorkerState> states_;  // by worker
+};
+
+// Solves what these solvers lack of the units, first those without batches, then by the size of their batches.
+void solve_session(const Execution& execution, const std::vector<std::size_t>& solvers,
+                   const std::vector<WorkUnit>& units) {
   std::map<int, std::vector<std::size_t>> by_batch;
-  for (const std::size_t s : solvers) by_batch[work.solve_runners[s].batch()].push_back(s);
-  for (const auto& [batch, alike] : by_batch)
-    solve_with_batch_size(work, alike, parts, jobs, cancelled, check, record_queue);
+  for (const std::size_t s : solvers) by_batch[execution.work.solve_runners[s].batch()].push_back(s);
+  for (const auto& [batch, with_batch] : by_batch) GroupedWork(execution, with_batch, units).solve();
 }
 
 // The anomalies of programs and users' classes, by label.
 using Anomalies = std::map<std::string, std::set<std::string>>;
 
-// Cuts names of notes to what the store takes, and notes anomalies of a user's class.
-void tidy(SolveRecord& solve, std::set<std::string>& odd) {
-  if (solve.status == Status::not_finite)
-    odd.insert("errors or answers are not finite, or have not one number for each joint");
-  if (solve.counted_by == CountedBy::none) odd.insert("it did not ask the objective, so nobody counts its evaluations");
-  const std::map<std::string, double> notes = std::exchange(solve.extras, {});
-  for (const auto& [name, value] : notes) {
+// Cuts names of extras to what the store takes, and notes the anomalies of a user's class.
+void sanitize_record(SolveRecord& record, std::set<std::string>& anomalies) {
+  if (record.status == Status::not_finite)
+    anomalies.insert("errors or answers are not finite, or have not one number for each joint");
+  if (record.counted_by == CountedBy::none)
+    anomalies.insert("it did not ask the objective, so nobody counts its evaluations");
+  const std::map<std::string, double> extras = std::exchange(record.extras, {});
+  for (const auto& [name, value] : extras) {
     const std::string cut(base::front(base::one_line(name), 200));
-    if (cut != name) odd.insert(fmt::format("names of its notes are cut to {}", base::plain_text));
-    solve.extras[cut] = value;
+    if (cut != name) anomalies.insert(fmt::format("names of its notes are cut to {}", base::plain_text));
+    record.extras[cut] = value;
   }
 }
 
-// Returns sentences on the anomalies of programs and classes, and adds them to the session.
-std::vector<std::string> tell_of(const StudyWork& work, Anomalies& odd, Store& store, std::int64_t session) {
+// Returns sentences on the anomalies of programs and classes, and adds these to the session.
+std::vector<std::string> record_anomalies(const StudyWork& work, Anomalies& anomalies, Store& store,
+                                          std::int64_t session) {
   std::vector<std::string> sentences;
-  for (const SolveRunner& solve_runner : work.solve_runners)
+  for (const SolveRunner& solve_runner : work.solve_runners) {
     if (const std::string of_program = solve_runner.anomalies(); !of_program.empty())
-      odd[solve_runner.label()].insert(of_program);
-  for (const auto& [label, what] : odd) {
-    if (what.empty()) continue;
-    const std::string all = fmt::format("{}", fmt::join(what, "; "));
-    sentences.push_back(fmt::format("{}: {}", label, all));
-    store.add_to_session(session, {{"solver." + label, all}});
+      anomalies[solve_runner.label()].insert(of_program);
+  }
+  for (const auto& [label, clauses] : anomalies) {
+    if (clauses.empty()) continue;
+    const std::string joined = fmt::format("{}", fmt::join(clauses, "; "));
+    sentences.push_back(fmt::format("{}: {}", label, joined));
+    store.add_to_session(session, {{"solver." + label, joined}});
   }
   return sentences;
 }
 
+// Returns the facts that each session of a run has, by name.
+std::map<std::string, std::string> session_facts(const StudyWork& work, const RunRequest& request) {
+  std::map<std::string, std::string> facts = environment();
+  for (const SolverEntry& entry : work.study.solvers) {
+    facts["source." + entry.solver] = source_digest_of(entry);
+    if (const std::string library = library_name(entry); !library.empty()) facts["library." + entry.solver] = library;
+  }
+  for (const SkippedSolver& skipped : work.study.skipped) facts["left_out." + skipped.label] = skipped.reason;
+  facts["jobs"] = std::to_string(request.jobs);
+  facts["command"] = request.command;
+  if (request.shard.count > 1) facts["shard"] = request.shard.text();
+  facts["study"] = work.study.name;
+  facts["analysis"] = to_json(work.study.plan);  // with the solvers, because the study may be saved with others later
+  facts["solvers"] = base::text_of(base::Json(labels_of(work.study)));
+  facts["state"] = work.study.is_chained() ? std::string_view("runs in a row") : name_of(work.study.state);
+  return facts;
+}
+
+// Returns the check of a study's records before they are stored. The check throws std::runtime_error for a record that
+// no reader of the store would take.
+SolveVisitor check_before_storing(const StoredStudy& stored) {
+  return [check = answer_check(stored)](const SolveRecord& record) {
+    try {
+      check(record);
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error(fmt::format("{}; it is not stored, as no reader would take it", error.what()));
+    }
+  };
+}
+
 void solve_missing(StudyWork& work, const StoredStudy& stored, Store& store, const RunRequest& request,
                    Progress& progress) {
-  std::map<std::string, std::string> session = environment();
-  Anomalies odd;
+  std::map<std::string, std::string> facts = session_facts(work, request);
+  Anomalies anomalies;
   for (const SolverEntry& entry : work.study.solvers) {
-    session["source." + entry.solver] = source_digest_of(entry);
-    if (const std::string library = library_name(entry); !library.empty()) session["library." + entry.solver] = library;
-    if (entry.custom) odd[entry.label];
+    if (entry.custom) anomalies[entry.label];
   }
-  for (const SkippedSolver& left_out : work.study.skipped) session["left_out." + left_out.label] = left_out.reason;
-  session["jobs"] = std::to_string(request.jobs);
-  session["command"] = request.command;
-  if (request.shard.count > 1) session["shard"] = request.shard.text();
-  session["study"] = work.study.name;
-  session["analysis"] = to_json(work.study.plan);  // with the solvers, because the study may be saved with others later
-  session["solvers"] = base::text_of(base::Json(labels_of(work.study)));
-  session["state"] = work.study.is_chained() ? std::string_view("runs in a row") : name_of(work.study.state);
-  std::int64_t session_id = 0;
-  const auto store_them = [&](std::vector<SolveRecord>& records) {
+  std::int64_t session = 0;
+  const auto store_records = [&](std::vector<SolveRecord>& records) {
     for (SolveRecord& record : records) {
-      record.session = session_id;
-      if (const auto own = odd.find(record.label); own != odd.end()) tidy(record, own->second);
+      record.session = session;
+      const auto of_class = anomalies.find(record.label);
+      if (of_class != anomalies.end()) sanitize_record(record, of_class->second);
     }
     store.append(records);
     for (std::size_t i = 0; i < records.size(); ++i) {
@@ -330,27 +430,24 @@ void solve_missing(StudyWork& work, const StoredStudy& stored, Store& store, con
       if (request.progress) request.progress(progress);
     }
   };
-  RecordQueue record_queue(store_them, request.flush_interval);
-  const auto check = [of_study = answer_check(stored)](const SolveRecord& record) {
-    try {
-      of_study(record);
-    } catch (const std::invalid_argument& error) {
-      throw std::runtime_error(fmt::format("{}; it is not stored, as no reader would take it", error.what()));
-    }
-  };
-  const auto is_over = [&] { return request.cancelled != nullptr && *request.cancelled; };
-  for (int turn = 1; turn <= work.turns(); ++turn) {
-    if (work.turns() > 1) session["turn"] = fmt::format("{}/{}", turn, work.turns());
-    for (const auto& [who, parts] : work.sessions_of(turn)) {
-      if (is_over()) break;
-      session_id = store.begin_session(session);
-      solve_multiverse(work, order_of(work.study, who, turn), parts, request.jobs, request.cancelled, check,
-                       record_queue);
+  RecordQueue record_queue(store_records, request.flush_interval);
+  const Execution execution{.work = work,
+                            .jobs = request.jobs,
+                            .cancelled = request.cancelled,
+                            .check = check_before_storing(stored),
+                            .record_queue = record_queue};
+  for (int round = 1; round <= work.rounds(); ++round) {
+    if (work.rounds() > 1) facts["turn"] = fmt::format("{}/{}", round, work.rounds());
+    for (const auto& [lacking, units] : work.sessions_of(round)) {
+      if (request.cancelled != nullptr && *request.cancelled) break;
+      session = store.begin_session(facts);
+      solve_session(execution, order_in_round(work.study, lacking, round), units);
     }
   }
-  progress.anomalies = tell_of(work, odd, store, session_id);
+  progress.anomalies = record_anomalies(work, anomalies, store, session);
 }
 
+// Throws std::invalid_argument if the store now has a study of that name that is not `ours`.
 void refuse_another(const StoredStudy& ours, const StoredStudy& now) {
   if (ours.definition.json == now.definition.json &&
       std::ranges::equal(ours.series, now.series, {}, &Series::key, &Series::key))
@@ -371,7 +468,8 @@ Progress run(const Study& study, const StoredStudy& stored, Store& store, const 
   StudyWork work(study, stored.series, request.jobs, request.shard);
   store.save_study(stored);
   Progress progress{.total = planned_solve_count(request.shard, study)};
-  progress.done = progress.reused = move_past_stored(work, store);
+  progress.reused = move_past_stored(work, store);
+  progress.done = progress.reused;
   if (request.progress) request.progress(progress);
   if (progress.done < progress.total) solve_missing(work, stored, store, request, progress);
   if (progress.done == progress.total) refuse_another(stored, store.study(study.name));
@@ -384,9 +482,10 @@ void solve_without_store(const Study& study, int jobs, const std::function<void(
   RecordQueue record_queue([&](std::vector<SolveRecord>& records) {
     for (SolveRecord& record : records) take(std::move(record));
   });
-  std::vector<std::size_t> all(study.solvers.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  solve_multiverse(work, all, work.parts_in({}), jobs, cancelled, {}, record_queue);
+  std::vector<std::size_t> indices(study.solvers.size());
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  solve_session({.work = work, .jobs = jobs, .cancelled = cancelled, .record_queue = record_queue}, indices,
+                work.units_in({}));
 }
 
 bool continues_from(const SolveRecord& solve, Start start) {
@@ -398,7 +497,10 @@ SolveRecord solve_once(const Study& study, const SolverEntry& entry, const Pose&
   const SolveRunner solve_runner(study, entry, series_key(study, entry), arm);
   const std::unique_ptr<solvers::Solver> solver = solve_runner.make_solver();
   const SolveRequest call{target, study.initial, 1, 1};
-  if (solve_runner.batch() > 0) solve_runner.warm_call(*solver, call), solve_runner.send_batch(*solver);
+  if (solve_runner.batch() > 0) {
+    solve_runner.warm_call(*solver, call);
+    solve_runner.send_batch(*solver);
+  }
   return solve_runner.solve(*solver, call);
 }
 

@@ -22,7 +22,7 @@ void parallel_for(std::size_t count, int jobs, const std::atomic<bool>* cancelle
   std::vector<std::future<void>> workers;  // the destructor of each waits for its end
   for (int i = 0; i < jobs; ++i)
     workers.push_back(std::async(std::launch::async, work_as, static_cast<std::size_t>(i)));
-  for (std::future<void>& each : workers) each.get();
+  for (std::future<void>& worker : workers) worker.get();
 }
 
 SuspensionWatch::SuspensionWatch()

@@ -1,5 +1,6 @@
-// Threads that work side by side, their progress, a watch for times when the process stood still, and the queue through
-// which records go to the store.
+// Threads that work side by side, their progress, a watch for times when the process was suspended, and the queue
+// through which records go to the store. The runner of studies, the multiverse and `ikbench verify` use them. The watch
+// costs a thread that wakes every 50 ms.
 #pragma once
 
 #include <atomic>
@@ -22,18 +23,19 @@ struct Progress {
   std::int64_t done = 0;  // solves, including those that the store already had
   std::int64_t total = 0;
   std::int64_t reused = 0;                  // solves of `done` that the store already had
-  std::vector<std::string> anomalies = {};  // at the end: one sentence per odd program or class
+  std::vector<std::string> anomalies = {};  // at the end: a sentence per program or class that has some
 };
 
-// Returns true if a worker has to stop, because another one threw or the user cancelled.
+// A function that returns true if a worker must stop, because another one threw or the user cancelled.
 using StopRequested = std::function<bool()>;
 // Calls work(index, worker, is_over) for each index below `count`, in ascending order, by the workers 0 to jobs - 1,
-// each a thread. One job runs in this thread. Returns when all have ended, and rethrows an exception of one.
+// each a thread. A single job runs in this thread. Returns when all workers have ended, and rethrows an exception of
+// one.
 void parallel_for(std::size_t count, int jobs, const std::atomic<bool>* cancelled,
                   const std::function<void(std::size_t index, std::size_t worker, const StopRequested& is_over)>& work);
 
-// Measures how long the whole process was suspended while the clock went on: by SIGSTOP, in a frozen container, on a
-// sleeping machine. No signal announces that, so a thread looks at the clock often and counts the time that it missed.
+// A watch that measures how long the process was suspended: by SIGSTOP, in a frozen container, on a sleeping machine.
+// No signal announces a suspension, so a thread polls the clock and counts gaps above 0.2 s.
 class SuspensionWatch {
  public:
   using Clock = std::chrono::steady_clock;
@@ -56,15 +58,16 @@ class SuspensionWatch {
   std::thread thread_;
 };
 
-// Passes records on, from one thread at a time, at least `patience` after the last time. Records that come meanwhile
-// wait and are passed on all at once, so that no worker waits for another. After a failure the queue passes nothing on.
+// A queue that passes records on, from one thread at a time, at least `flush_interval` after the last time. Records
+// that come meanwhile wait and are passed on together, so that no worker waits for another. After a failure the queue
+// passes nothing on.
 class RecordQueue {
  public:
   using Clock = std::chrono::steady_clock;
-  using Consumer = std::function<void(std::vector<results::SolveRecord>&)>;  // the records are its own
+  using Consumer = std::function<void(std::vector<results::SolveRecord>&)>;  // may move the records away
 
-  explicit RecordQueue(Consumer pass_on, Clock::duration patience = {})
-      : pass_on_(std::move(pass_on)), flush_interval_(patience) {}
+  explicit RecordQueue(Consumer pass_on, Clock::duration flush_interval = {})
+      : pass_on_(std::move(pass_on)), flush_interval_(flush_interval) {}
   void push(results::SolveRecord&& record);
   void flush();  // passes on what waits
 
