@@ -11,10 +11,22 @@ using namespace solvers;
 
 namespace {
 
+// Returns the arm before its last joint, with the tool's point, which that joint does not move.
 Chain without_last(const Chain& whole) {
   const std::vector<DhLink>& links = whole.links();
   return Chain({links.begin(), links.end() - 1}, whole.base(),
                {.position = {0, 0, links.back().d + whole.tool().position.z()}});
+}
+
+// Returns the joints that a study searches: those before the wrist if there is one, those before the flange, or all.
+Chain searched_chain(const Study& study, const Robot& arm, const std::optional<SphericalWrist>& wrist) {
+  if (wrist) return wrist->arm();
+  return study.search == Search::flange ? without_last(arm.chain) : arm.chain;
+}
+
+// Turns the wrist's angles [rad] by whole turns to where they are nearest to `near`.
+void turn_near(Eigen::Vector3d& angles, const Eigen::Vector3d& near) {
+  for (Eigen::Index j = 0; j < 3; ++j) angles[j] = near[j] + std::remainder(angles[j] - near[j], whole_turn);
 }
 
 }  // namespace
@@ -29,9 +41,7 @@ Task::Task(const Study& study, const Robot& arm)
     : study_(study),
       arm_(arm),
       wrist_(study.search == Search::wrist ? std::optional<SphericalWrist>(arm.chain) : std::nullopt),
-      searched_(wrist_                           ? wrist_->arm()
-                : study.search == Search::flange ? without_last(arm.chain)
-                                                 : arm.chain) {}
+      searched_(searched_chain(study, arm, wrist_)) {}
 
 Goal Task::goal(const Pose& target) const {
   if (const GoalKind kind = goal_kind(study_.search); kind != GoalKind::position)
@@ -52,9 +62,9 @@ Configuration Task::with_wrist(const Configuration& found, const Pose& target, c
   if (wrist_) {
     const Eigen::Vector3d near = start.tail<3>();
     std::array<Eigen::Vector3d, 2> branches = wrist_->angles(found, target.linear(), near);
-    for (Eigen::Vector3d& branch : branches)
-      for (Eigen::Index j = 0; j < 3 && study_.wrist_turns == WristTurns::nearest; ++j)
-        branch[j] = near[j] + std::remainder(branch[j] - near[j], whole_turn);
+    if (study_.wrist_turns == WristTurns::nearest) {
+      for (Eigen::Vector3d& branch : branches) turn_near(branch, near);
+    }
     answer.resize(found.size() + 3);
     answer << found, branches[select_branch(branches, near)];
   } else if (study_.search == Search::flange) {
@@ -74,17 +84,29 @@ void Task::wrap(Configuration& answer, const Configuration& start) const {
   }
 }
 
+std::size_t Task::preferred_branch(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const {
+  switch (study_.wrist_branch) {
+    case WristBranch::positive:
+      return 0;
+    case WristBranch::negative:
+      return 1;
+    case WristBranch::nearest:
+    case WristBranch::inside:
+      break;
+  }
+  return (branches[0] - near).norm() <= (branches[1] - near).norm() ? 0 : 1;
+}
+
 std::size_t Task::select_branch(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const {
-  const std::size_t nearer = (branches[0] - near).norm() <= (branches[1] - near).norm() ? 0 : 1;
   const auto is_inside = [&](const Eigen::Vector3d& angles) {
     return (angles.array() >= arm_.limits.lower.tail<3>().array()).all() &&
            (angles.array() <= arm_.limits.upper.tail<3>().array()).all();
   };
-  const std::size_t first = study_.wrist_branch == WristBranch::positive   ? 0
-                            : study_.wrist_branch == WristBranch::negative ? 1
-                                                                           : nearer;
-  const bool is_to_be_inside = study_.wrist_branch == WristBranch::inside || study_.limits == LimitPolicy::enforced;
-  return is_to_be_inside && !is_inside(branches[first]) && is_inside(branches[1 - first]) ? 1 - first : first;
+  const std::size_t preferred = preferred_branch(branches, near);
+  const std::size_t alternative = 1 - preferred;
+  const bool must_be_inside = study_.wrist_branch == WristBranch::inside || study_.limits == LimitPolicy::enforced;
+  return must_be_inside && !is_inside(branches[preferred]) && is_inside(branches[alternative]) ? alternative
+                                                                                               : preferred;
 }
 
 }  // namespace ikbench::experiments

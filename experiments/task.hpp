@@ -1,4 +1,5 @@
-// The search for one target: what a solver gets, and how its answer becomes the values of all joints.
+// The search for one target: what a solver gets, and how its answer becomes the values of all joints. The runner of
+// solves makes one Task per solver entry; the multiverse completes answers with another wrist.
 #pragma once
 
 #include <array>
@@ -10,10 +11,10 @@
 
 namespace ikbench::experiments {
 
-// Returns true if the last joint turns the tool about its own point, which it therefore does not move.
+// Returns true if the last joint turns the tool about the tool's own point, which this joint therefore does not move.
 bool rotates_tool_only(const robots::Chain& whole);
 
-// The search for one target, over all joints or over those before the wrist. Study and arm have to outlive it.
+// The search for one target, over all joints or over those before the wrist. Study and arm must outlive the task.
 class Task {
  public:
   Task(const Study& study, const Robot& arm);
@@ -23,12 +24,14 @@ class Task {
   solvers::Goal goal(const Pose& target) const;
   solvers::Problem problem(const Configuration& start, int population) const;
 
-  // Returns all joints of the answer: those found by the search, the wrist's by the closed form, wrapped if the study
-  // says so.
+  // Returns all joints [rad, m] of an answer: those that the search found, and the wrist's by the closed form. They are
+  // wrapped as the study says. A joint behind the flange stays as at `start`.
   Configuration with_wrist(const Configuration& found, const Pose& target, const Configuration& start) const;
 
  private:
   void wrap(Configuration& answer, const Configuration& start) const;
+  // Returns the index of the branch that the study's rule takes if limits do not count.
+  std::size_t preferred_branch(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const;
   std::size_t select_branch(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const;
 
   const Study& study_;

@@ -19,8 +19,8 @@ using namespace solvers;
 
 namespace {
 
-// Inserts the text as a TOML value, otherwise as a string, since people type both `runs=5` and `path.tool=eq27`. The
-// value keeps the option that gave it.
+// Inserts the text as a TOML value, or as a string if the text is no value, because people type both `runs=5` and
+// `path.tool=eq27`. The value keeps the option that gave it.
 void insert(toml::table& table, std::string_view key, const std::string& text, std::string_view option) {
   refuse_deep_keys(text, option);
   for (const std::string& toml : {text, toml_string(text)}) {
@@ -35,6 +35,7 @@ void insert(toml::table& table, std::string_view key, const std::string& text, s
   table.insert_or_assign(key, text);
 }
 
+// Returns the table with this key, which is added if it is not there.
 toml::table& subtable(toml::table& table, std::string_view key, std::string_view option) {
   if (!table.contains(key)) insert(table, key, "{}", option);
   toml::table* part = table.get(key)->as_table();
@@ -44,8 +45,9 @@ toml::table& subtable(toml::table& table, std::string_view key, std::string_view
 }
 
 constexpr std::string_view swept_owner = "sweep";
+constexpr std::array<std::string_view, 7> study_tables{"analysis", "check", "figures", "loop", "path", "stop", "urdf"};
 
-// Returns the settings of a solver that can be swept: the population, and the options of a built-in one.
+// Returns the settings of a solver that can be swept: the population, and the options of a built-in solver.
 std::set<std::string> settings_of(const std::string& solver) {
   std::set<std::string> settings{std::string(population_key)};
   for (const SolverInfo& info : all_solvers()) {
@@ -55,38 +57,41 @@ std::set<std::string> settings_of(const std::string& solver) {
   return settings;
 }
 
-}  // namespace
+// An override as it was typed: "key=value", perhaps behind the option that gave it, such as "--robot ".
+struct TypedOverride {
+  explicit TypedOverride(const std::string& argument) {
+    const std::size_t blank = argument.starts_with("--") ? argument.find(' ') : std::string::npos;
+    option = blank == std::string::npos ? std::string(override_source) : argument.substr(0, blank);
+    text = blank == std::string::npos ? argument : argument.substr(blank + 1);
+    const std::size_t equals = text.find('=');
+    constexpr std::size_t max_key_bytes = 300;
+    if (equals == std::string::npos || equals == 0 || equals > max_key_bytes) {
+      throw std::invalid_argument(
+          fmt::format("{} {}: expected key=value, such as runs=5 or ik_bat.bounds=clamp", option, text.substr(0, 100)));
+    }
+    key = text.substr(0, equals);
+    value = text.substr(equals + 1);
+  }
 
-// Applies one override to a study's table. "IK-BA.alpha" is for the entries with that label or solver, "sweep.alpha"
-// for those whose solver has that setting.
-void apply_override(toml::table& study, const std::string& typed) {
-  const std::size_t blank = typed.starts_with("--") ? typed.find(' ') : std::string::npos;
-  const std::string option(blank == std::string::npos ? override_source : typed.substr(0, blank)),
-      text = blank == std::string::npos ? typed : typed.substr(blank + 1);
-  const std::size_t equals = text.find('=');
-  constexpr std::size_t longest_key = 300;
-  if (equals == std::string::npos || equals == 0 || equals > longest_key) {
-    throw std::invalid_argument(
-        fmt::format("{} {}: expected key=value, such as runs=5 or ik_bat.bounds=clamp", option, text.substr(0, 100)));
-  }
-  const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
-  const std::size_t dot = key.rfind('.');
-  if (dot == std::string::npos) {
-    constexpr std::array<std::string_view, 5> stops{"seconds", "iterations", "evaluations", "tolerance_cm",
-                                                    "tolerance_deg"};
-    if (std::ranges::find(stops, key) != stops.end())
-      throw std::invalid_argument(fmt::format("{0} {1}: unknown key; did you mean stop.{1}?", option, key));
-    return insert(study, key, value, option);
-  }
-  const std::string owner = key.substr(0, dot), field = key.substr(dot + 1);
-  if (owner.empty() || field.empty()) {
-    throw std::invalid_argument(
-        fmt::format("{} {}: expected a name on both sides of the dot", option, text.substr(0, 100)));
-  }
-  std::set<std::string> owners{"analysis", "check", "figures", "loop", "path", "stop", "urdf"}, settings;
-  if (owners.contains(owner)) return insert(subtable(study, owner, option), field, value, option);
+  std::string option, text, key, value;
+};
+
+// Refuses a key of [stop] without its table, which is a likely mistake.
+void refuse_stop_key(const TypedOverride& typed) {
+  constexpr std::array<std::string_view, 5> stops{"seconds", "iterations", "evaluations", "tolerance_cm",
+                                                  "tolerance_deg"};
+  if (std::ranges::find(stops, typed.key) != stops.end())
+    throw std::invalid_argument(fmt::format("{0} {1}: unknown key; did you mean stop.{1}?", typed.option, typed.key));
+}
+
+// Sets `field` of all entries with this label or solver, or with `owner` "sweep" of all whose solver has that setting.
+// Throws std::invalid_argument if there is no such entry.
+void set_in_entries(toml::table& study, const TypedOverride& typed, const std::string& owner,
+                    const std::string& field) {
   const bool is_of_all = owner == swept_owner;
   bool is_known = false;
+  std::set<std::string> settings;
+  std::set<std::string> owners(study_tables.begin(), study_tables.end());
   if (toml::array* const entries = study["solvers"].as_array()) {
     for (toml::node& element : *entries) {
       toml::table* const entry = element.as_table();
@@ -97,7 +102,7 @@ void apply_override(toml::table& study, const std::string& typed) {
       if (is_of_all ? own.contains(field) : owner == label || owner == solver) {
         const bool is_of_entry = field == population_key || field == "colour" || field == "memory_mb" ||
                                  field == "patience_s" || field == "batch";
-        insert(is_of_entry ? *entry : subtable(*entry, "options", option), field, value, option);
+        insert(is_of_entry ? *entry : subtable(*entry, "options", typed.option), field, typed.value, typed.option);
         is_known = true;
       }
       settings.insert(own.begin(), own.end());
@@ -106,9 +111,29 @@ void apply_override(toml::table& study, const std::string& typed) {
   }
   if (is_known) return;
   owners.erase("");
-  throw std::invalid_argument(fmt::format("{} {}: {}", option, is_of_all ? field : key,
-                                          is_of_all ? unknown_name("setting", field, {settings.begin(), settings.end()})
-                                                    : unknown_name("solver", owner, {owners.begin(), owners.end()})));
+  const std::string unknown = is_of_all ? unknown_name("setting", field, {settings.begin(), settings.end()})
+                                        : unknown_name("solver", owner, {owners.begin(), owners.end()});
+  throw std::invalid_argument(fmt::format("{} {}: {}", typed.option, is_of_all ? field : typed.key, unknown));
+}
+
+}  // namespace
+
+void apply_override(toml::table& study, const std::string& argument) {
+  const TypedOverride typed(argument);
+  const std::size_t dot = typed.key.rfind('.');
+  if (dot == std::string::npos) {
+    refuse_stop_key(typed);
+    return insert(study, typed.key, typed.value, typed.option);
+  }
+  const std::string owner = typed.key.substr(0, dot);
+  const std::string field = typed.key.substr(dot + 1);
+  if (owner.empty() || field.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{} {}: expected a name on both sides of the dot", typed.option, typed.text.substr(0, 100)));
+  }
+  if (std::ranges::find(study_tables, owner) != study_tables.end())
+    return insert(subtable(study, owner, typed.option), field, typed.value, typed.option);
+  set_in_entries(study, typed, owner, field);
 }
 
 std::string sweep_override(const std::string& text) {

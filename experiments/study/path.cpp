@@ -7,11 +7,11 @@ namespace ikbench::experiments {
 #undef PATH
 
 std::vector<Path> target_sets() {
-  std::vector<Path> all;
-#define PATH(name) all.emplace_back(name##_path());
+  std::vector<Path> sets;
+#define PATH(name) sets.emplace_back(name##_path());
 #include "experiments/study/paths.inc"
 #undef PATH
-  return all;
+  return sets;
 }
 
 Eigen::Matrix3d tool_rotation(ToolOrientation tool) {

@@ -1,5 +1,6 @@
-// Paths: the sets of target poses of the tool, in metres and radians. A kind of path is a class in a file of paths/ and
-// one line of paths.inc (docs/extending.md).
+// Target sets, which study files call paths: the target poses of the tool [m, rad]. A kind of path is a class in a file
+// of paths/ and one line of paths.inc (docs/extending.md). The reader of studies makes a path; the runner asks it for
+// the poses of each run.
 #pragma once
 
 #include <filesystem>
@@ -38,7 +39,7 @@ class TargetSet {
   virtual std::vector<Configuration> source_configurations(const Robot&, Random&) const { return {}; }
 };
 
-// A path of any kind. Copies share it, so its fields may be changed only before it is copied.
+// A path of any kind. Copies of the pointer share the path, so fields may be changed only before the first copy.
 using Path = std::shared_ptr<TargetSet>;
 
 // Returns a new path of each kind, with its defaults, in the order of paths.inc.
@@ -59,9 +60,11 @@ std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file,
 
 constexpr std::pair<std::int64_t, std::int64_t> point_count_range{1, 100'000};
 
-// The tool's orientation along a path. down: R = diag(-1, 1, -1). eq27: the third column is (0, 1, 0), a horizontal
-// tool, as Eq. 27 prints; the other columns are our choice.
-enum class ToolOrientation { down, eq27 };
+// The tool's orientation along a path.
+enum class ToolOrientation {
+  down,  // R = diag(-1, 1, -1)
+  eq27   // a horizontal tool: the third column is (0, 1, 0), as Eq. 27 prints; the other columns are our choice
+};
 Eigen::Matrix3d tool_rotation(ToolOrientation tool);
 
 // Returns the nine elements of a rotation, row by row.

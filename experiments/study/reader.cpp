@@ -36,12 +36,13 @@ constexpr EmbeddedFile study_files[]{
 
 std::string source_of(const EmbeddedFile& file) { return fmt::format("built-in study {}", file.stem()); }
 
+// A reader of [path], whose poses are tables.
 class PathReader final : public TomlReader {
  public:
   explicit PathReader(TomlReader reader) : TomlReader(std::move(reader)) {}
 
  private:
-  // This key is required: a study needs targets.
+  // Reads a list of poses, which is required, because a study needs targets.
   void on_poses(Name name, std::any field) override {
     constexpr std::string_view expected =
         "a list of 1 to 100000 poses such as { position_cm = [60, 0, 35], rpy_deg = [180, 0, 180] }";
@@ -83,7 +84,7 @@ Path read_path(PathReader reader) {
   reader.choice("kind", chosen, names);
   Path path = kinds[chosen];
   list_fields(reader, path);
-  // Of another kind by --set, keys of the file's kind stay behind.
+  // If --set gives another kind, keys of the file's kind stay behind, and only keys of --set can be unknown.
   const toml::source_region& kind = reader.find("kind")->source();
   const bool is_other_kind = kind.begin.line == 0 || kind.path;
   reader.refuse_unknown_keys(is_other_kind ? override_source : "");
@@ -98,8 +99,8 @@ void read_part(TomlReader reader, Part& part) {
   reader.refuse_unknown_keys();
 }
 
-// Reads the study's arm: that of a store, a built-in one, or a file in the study's folder (for --set in the current
-// one).
+// Reads the study's arm: that of a store, a built-in arm, or a file in the study's folder (in the current folder if
+// --set gave the file).
 Robot read_arm(const TomlReader& reader, Study& study, const ArmOfStore& arm_of_store) {
   if (arm_of_store && !reader.table().get("robot")->source().path) {
     study.robot_of_file = std::make_shared<const Robot>(arm_of_store(study.urdf));
@@ -116,13 +117,14 @@ Robot read_arm(const TomlReader& reader, Study& study, const ArmOfStore& arm_of_
   return *study.robot_of_file;
 }
 
-// As many iterations as no solver makes with these evaluations. A fixed number would cut short a solver that evaluates
-// one candidate in each of them.
-int iterations_of(std::int64_t evaluations) {
-  constexpr std::int64_t most = 1'000'000'000;
-  return static_cast<int>(std::min(evaluations, most));
+// Returns the largest number of iterations that a solver can make with these evaluations. A fixed number would stop a
+// solver too early that evaluates one candidate per iteration.
+int max_iterations(std::int64_t evaluations) {
+  constexpr std::int64_t limit = 1'000'000'000;
+  return static_cast<int>(std::min(evaluations, limit));
 }
 
+// Refuses limits and tolerances that do not fit the search.
 void check_stop(const TomlReader& stop, const Study& study) {
   const double position = study.stop.tolerance / centimetre, angle = study.stop.angle_tolerance / degree;
   if (study.stop.iterations == 0)
@@ -144,19 +146,34 @@ void check_stop(const TomlReader& stop, const Study& study) {
   }
 }
 
+// Reads [check], and starts its program.
 void read_check(TomlReader reader, Study& study) {
   list_fields(reader, study.check);
   study.checker = read_program(reader, false);
   if (study.checker->choice.batch > 0) throw reader.mistake("batch", "[check] is asked of one answer a message");
   const std::vector<std::string> numbers = study.check.numbers();
-  for (const std::string& name : numbers)
-    if (trimmed(name).empty() || !is_plain(name) || name.size() > max_name_bytes || name.starts_with(check_extra) ||
-        name.starts_with(invalid_extra))
+  for (const std::string& name : numbers) {
+    const bool is_reserved = name.starts_with(check_extra) || name.starts_with(invalid_extra);
+    if (trimmed(name).empty() || !is_plain(name) || name.size() > max_name_bytes || is_reserved)
       throw reader.mistake("larger", fmt::format("[check] names a number \"{}\"; expected a plain text", name));
+  }
   if (numbers.size() > max_extras)
     throw reader.mistake("larger", fmt::format("[check] names {} numbers; at most {}", numbers.size(), max_extras));
-  study.check.process = study.checker->choice.process, study.check.digest = study.checker->digest;
+  study.check.process = study.checker->choice.process;
+  study.check.digest = study.checker->digest;
   reader.refuse_unknown_keys();
+}
+
+// Refuses an initial configuration outside the joint limits.
+void check_initial(const TomlReader& reader, const Study& study, const Robot& arm) {
+  const Configuration units = joint_units(arm.chain);
+  for (Eigen::Index j = 0; j < units.size(); ++j) {
+    const double outside = std::max(arm.limits.lower[j] - study.initial[j], study.initial[j] - arm.limits.upper[j]);
+    if (outside > 0)
+      throw reader.mistake("initial_deg",
+                           fmt::format("initial_deg is {:g} {} outside the limits of joint {}; see: ikbench robot {}",
+                                       outside / units[j], units[j] == 1 ? "m" : "deg", j + 1, arm.name));
+  }
 }
 
 // Checks the study as it was read, except its entries.
@@ -180,20 +197,14 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
       "state is \"hot\", but start = \"previous\", so that a solver makes a run in a row; expected another start");
   refuse_if(study.checker && !study.has_tolerance(), "check",
             "[check] is asked of answers that reach their target; expected stop.tolerance_cm");
-  constexpr double most_solves = 1e8;
-  refuse_if(static_cast<double>(study.solvers.size()) * study.runs * study.path->points() > most_solves, "runs",
+  constexpr double max_solves = 1e8;
+  refuse_if(static_cast<double>(study.solvers.size()) * study.runs * study.path->points() > max_solves, "runs",
             "solvers, runs and points make more than 100 000 000 solves; expected fewer");
   refuse_if(study.trace == solvers::Trace::best_error && study.stop.iterations > 1'000'000, "trace",
             "a trace has at most 1 000 000 iterations; expected stop.iterations of at most that");
   refuse_if(study.limits == LimitPolicy::enforced && study.bounds == BoundsPolicy::initial, "bounds",
             bounds_need_recorded_limits);
-  const Configuration units = joint_units(arm.chain);
-  for (Eigen::Index j = 0; j < units.size(); ++j) {
-    const double outside = std::max(arm.limits.lower[j] - study.initial[j], study.initial[j] - arm.limits.upper[j]);
-    refuse_if(outside > 0, "initial_deg",
-              fmt::format("initial_deg is {:g} {} outside the limits of joint {}; see: ikbench robot {}",
-                          outside / units[j], units[j] == 1 ? "m" : "deg", j + 1, arm.name));
-  }
+  check_initial(reader, study, arm);
   refuse_if(study.motion_joints > arm.joints(), "motion_joints",
             fmt::format("motion_joints is {}, but {} has {}; expected at most that, or 0 for all", study.motion_joints,
                         arm.name, counted(arm.joints(), "joints")));
@@ -221,16 +232,22 @@ void drop_lost_control(Study& study) {
   control.clear();
 }
 
-}  // namespace
+// A name that a key gives, and what it must be the name of.
+struct GivenName {
+  std::string_view key;
+  std::string_view kind;  // "metric"
+  const std::string& name;
+};
 
-Study read_study(const toml::table& table, std::string_view source, const ArmOfStore& arm_of_store) {
-  Study study;
-  study.name = std::filesystem::path(source).stem().string();  // two files are two studies
-  TomlReader reader(table, source, "");
-  const auto refuse_unknown = [&](const TomlReader& at, std::string_view key, std::string_view kind,
-                                  const std::string& name, const std::vector<std::string>& names) {
-    if (std::ranges::find(names, name) == names.end()) throw at.mistake(key, unknown_name(kind, name, names));
-  };
+// Throws a mistake if the name is none of the known ones.
+void refuse_unknown(const TomlReader& reader, const GivenName& given, const std::vector<std::string>& known) {
+  if (std::ranges::find(known, given.name) == known.end())
+    throw reader.mistake(given.key, unknown_name(given.kind, given.name, known));
+}
+
+// Reads the keys of a study that are in no table.
+void read_general_keys(TomlReader& reader, Study& study) {
+  const toml::table& table = reader.table();
   list_fields(reader, study);
   // By default, wrap as controllers do: otherwise whole turns decide whose joint motion is smallest. Stored definitions
   // have their own value.
@@ -238,10 +255,14 @@ Study read_study(const toml::table& table, std::string_view source, const ArmOfS
   if (study.name.empty()) reader.fail("name", *table.get("name"), "a non-empty name");
   const auto papers = published::papers();
   if (!study.published.empty())
-    refuse_unknown(reader, "published", "paper", study.published, {papers.begin(), papers.end()});
+    refuse_unknown(reader, {.key = "published", .kind = "paper", .name = study.published},
+                   {papers.begin(), papers.end()});
   if (!table.contains("robot"))
     throw reader.mistake("robot", "robot is missing; expected the name of an arm (ikbench list robots) or its file");
-  study.path = read_path(PathReader(reader.part("path")));
+}
+
+// Reads [urdf], which only a study with a URDF file may have.
+void read_urdf(TomlReader& reader, Study& study) {
   if (reader.find("urdf") != nullptr && !is_urdf_file(study.robot))
     throw reader.mistake("urdf", fmt::format("[urdf] is about a URDF file, but robot is \"{}\"; expected one such as "
                                              "\"my_arm.urdf\"",
@@ -252,34 +273,60 @@ Study read_study(const toml::table& table, std::string_view source, const ArmOfS
                        "no angle of a URDF file is snapped any more: the arm is judged as the file prints "
                        "it; expected no snap_deg");
   read_part(urdf, study.urdf);
-  const TomlReader stop = reader.part("stop"), analysis = reader.part("analysis"), figures = reader.part("figures");
+}
+
+// Reads [stop]. If only evaluations are limited, iterations do not end a solve.
+void read_stop(const TomlReader& stop, Study& study) {
   read_part(stop, study.stop);
   if (study.stop.evaluations > 0 && !stop.table().contains("iterations"))
-    study.stop.iterations = iterations_of(study.stop.evaluations);
+    study.stop.iterations = max_iterations(study.stop.evaluations);
   check_stop(stop, study);
-  read_part(reader.part("loop"), study.loop);
-  if (reader.find("check") != nullptr) read_check(reader.part("check"), study);
-  const Robot arm = read_arm(reader, study, arm_of_store);
-  const Configuration units = joint_units(arm.chain);
+}
+
+// Converts the initial configuration from the units of files, or takes the default if the study gives none.
+void convert_initial(const TomlReader& reader, Study& study, const Robot& arm) {
   if (study.initial.size() == 0) {
     study.initial = default_configuration(arm);
   } else if (study.initial.size() == arm.joints()) {
-    study.initial = study.initial.cwiseProduct(units).eval();
+    study.initial = study.initial.cwiseProduct(joint_units(arm.chain)).eval();
   } else {
     throw reader.mistake("initial_deg", fmt::format("initial_deg has {}; expected {}, one for each joint of {}",
                                                     counted(study.initial.size(), "values"), arm.joints(), arm.name));
   }
-  read_solvers(reader, study, arm);
-  const std::vector<std::string> labels = labels_of(study);
+}
+
+// Reads [analysis]. The control may be a label that a sweep splits, which is dropped.
+void read_plan(const TomlReader& analysis, Study& study) {
   read_part(analysis, study.plan);
-  for (const std::string& then : study.plan.tie_breakers)
-    refuse_unknown(analysis, "then", "metric", then, results::default_tie_breakers);
+  for (const std::string& metric : study.plan.tie_breakers)
+    refuse_unknown(analysis, {.key = "then", .kind = "metric", .name = metric}, results::default_tie_breakers);
   const std::string& control = study.plan.control;
-  if (!control.empty() && std::ranges::find(study.solvers, control, &SolverEntry::sweep_base) == study.solvers.end())
-    refuse_unknown(analysis, "control", "label", control, labels);
+  const bool is_swept = std::ranges::find(study.solvers, control, &SolverEntry::sweep_base) != study.solvers.end();
+  if (!control.empty() && !is_swept)
+    refuse_unknown(analysis, {.key = "control", .kind = "label", .name = control}, labels_of(study));
   drop_lost_control(study);
+}
+
+}  // namespace
+
+Study read_study(const toml::table& table, std::string_view source, const ArmOfStore& arm_of_store) {
+  Study study;
+  study.name = std::filesystem::path(source).stem().string();  // two files are two studies
+  TomlReader reader(table, source, "");
+  read_general_keys(reader, study);
+  study.path = read_path(PathReader(reader.part("path")));
+  read_urdf(reader, study);
+  const TomlReader stop = reader.part("stop"), analysis = reader.part("analysis"), figures = reader.part("figures");
+  read_stop(stop, study);
+  read_part(reader.part("loop"), study.loop);
+  if (reader.find("check") != nullptr) read_check(reader.part("check"), study);
+  const Robot arm = read_arm(reader, study, arm_of_store);
+  convert_initial(reader, study, arm);
+  read_solvers(reader, study, arm);
+  read_plan(analysis, study);
   read_style(figures, study.figures);
-  for (const std::string& label : study.figures.solvers) refuse_unknown(figures, "solvers", "label", label, labels);
+  for (const std::string& label : study.figures.solvers)
+    refuse_unknown(figures, {.key = "solvers", .kind = "label", .name = label}, labels_of(study));
   reader.refuse_unknown_keys();
   check_study(reader, study, arm);
   return study;
@@ -287,27 +334,30 @@ Study read_study(const toml::table& table, std::string_view source, const ArmOfS
 
 namespace {
 
-// Fills a study without targets from the study `any-arm` (ikbench run --robot), key by key.
+// Adds to a study without targets the keys that it lacks, from the study `any-arm` (ikbench run --robot).
 void add_protocol(toml::table& study) {
   constexpr std::string_view protocol = "any-arm", source = "without [path] as any-arm";
-  toml::table all = toml::parse(find_embedded(study_files, protocol)->text, source);
-  for (const char* own : {"name", "title", "robot", "solvers"}) all.erase(own);
+  toml::table any_arm = toml::parse(find_embedded(study_files, protocol)->text, source);
+  for (const char* key : {"name", "title", "robot", "solvers"}) any_arm.erase(key);
   if (const std::optional search = study["search"].value<std::string>();
       search && *search != "pose" && *search != "axis")
-    all["stop"].as_table()->erase("tolerance_deg");
-  if (study["stop"]["evaluations"]) all["stop"].as_table()->erase("iterations");     // read_study knows how many
-  const auto put = [](toml::table& table, const toml::key& key, toml::node& node) {  // does nothing if the key is there
+    any_arm["stop"].as_table()->erase("tolerance_deg");
+  if (study["stop"]["evaluations"]) any_arm["stop"].as_table()->erase("iterations");  // read_study knows how many
+  const auto add = [](toml::table& table, const toml::key& key, toml::node& node) {  // does nothing if the key is there
     node.visit([&](auto& value) { table.insert(key, std::move(value)); });
   };
-  for (auto&& [key, node] : all) {
-    toml::table *const part = study[key].as_table(), *const its = node.as_table();
-    if (part == nullptr || its == nullptr)
-      put(study, key, node);
-    else
-      for (auto&& [field, value] : *its) put(*part, field, value);
+  for (auto&& [key, node] : any_arm) {
+    toml::table* const of_study = study[key].as_table();
+    toml::table* const of_protocol = node.as_table();
+    if (of_study == nullptr || of_protocol == nullptr) {
+      add(study, key, node);
+      continue;
+    }
+    for (auto&& [field, value] : *of_protocol) add(*of_study, field, value);
   }
 }
 
+// Returns why a name is neither a study file nor a built-in study.
 std::string no_study(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error))
@@ -327,8 +377,9 @@ std::string no_study(const std::filesystem::path& file) {
 
 namespace {
 
-// The labels that a name means if none is written so: one in other cases of letters, else those of the solver that has
-// this name, or this abbreviation in tables.
+// Returns the labels that a name means if no label is written so: labels in other cases of letters, or if there are
+// none those of the solver with this name, or with this abbreviation in tables. Throws std::invalid_argument if there
+// are none.
 std::vector<std::string> labels_like(const Study& study, const std::string& name) {
   std::vector<std::string> labels, by_solver;
   const std::string wanted = lower_case(name), solver = solver_named(name);
@@ -344,7 +395,6 @@ std::vector<std::string> labels_like(const Study& study, const std::string& name
 
 }  // namespace
 
-// Returns the folder of a file that a key names: the study's, or the current one if --set gave the key.
 std::filesystem::path base_folder(const TomlReader& reader, std::string_view key) {
   const toml::node* const node = reader.table().get(key);
   const bool is_of_file = node != nullptr && node->source().begin.line > 0 && !node->source().path;
@@ -353,11 +403,14 @@ std::filesystem::path base_folder(const TomlReader& reader, std::string_view key
 
 std::string solver_named(const std::string& name) {
   const std::string wanted = lower_case(name);
-  for (const solvers::SolverInfo& info : solvers::all_solvers())
+  for (const solvers::SolverInfo& info : solvers::all_solvers()) {
     if (info.name == wanted) return info.name;
-  for (const Study& study : built_in_studies())
-    for (const SolverEntry& entry : study.solvers)
+  }
+  for (const Study& study : built_in_studies()) {
+    for (const SolverEntry& entry : study.solvers) {
       if (lower_case(entry.label) == wanted) return entry.solver;
+    }
+  }
   return name;
 }
 
@@ -365,11 +418,14 @@ void select_solvers(Study& study, const std::vector<std::string>& lists) {
   std::set<std::string> labels;
   for (std::string rest : lists) {
     do {
-      std::string longest;  // longest label with which the list begins, since a label may have commas
+      std::string longest;  // longest label with which the list begins, because a label may have commas
       const auto take = [&](const std::string& label) {
         if (label.size() > longest.size() && (rest + ',').starts_with(label + ',')) longest = label;
       };
-      for (const SolverEntry& entry : study.solvers) take(entry.label), take(entry.sweep_base);
+      for (const SolverEntry& entry : study.solvers) {
+        take(entry.label);
+        take(entry.sweep_base);
+      }
       const std::vector<std::string> meant =
           longest.empty() ? labels_like(study, rest.substr(0, rest.find(','))) : std::vector{longest};
       rest.erase(0, longest.empty() ? std::min(rest.find(','), rest.size() - 1) + 1 : longest.size() + 1);
@@ -397,10 +453,10 @@ Study parse_study(std::string_view toml_text, std::string_view source, const Ove
 }
 
 std::vector<Study> built_in_studies() {
-  std::vector<Study> all;
-  for (const EmbeddedFile& file : study_files) all.push_back(parse_study(file.text, source_of(file)));
-  std::ranges::sort(all, {}, &Study::name);
-  return all;
+  std::vector<Study> studies;
+  for (const EmbeddedFile& file : study_files) studies.push_back(parse_study(file.text, source_of(file)));
+  std::ranges::sort(studies, {}, &Study::name);
+  return studies;
 }
 
 Study load_study(const std::string& name_or_file, const Overrides& overrides) {

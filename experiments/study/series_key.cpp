@@ -111,7 +111,7 @@ std::string series_key(const Study& study, const SolverEntry& entry) {
 }
 
 std::vector<Series> series_of(const Study& study) {
-  std::vector<Series> all;
+  std::vector<Series> series;
   for (const SolverEntry& entry : study.solvers) {
     Settings options = effective_options(study, entry);
     if (entry.program) {
@@ -128,12 +128,12 @@ std::vector<Series> series_of(const Study& study) {
       const Json number = Json::parse(text, nullptr, false);
       values[name] = number.is_number() ? number : Json(text);
     }
-    all.push_back({.key = series_key(study, entry),
-                   .label = entry.label,
-                   .algorithm = entry.solver,
-                   .options = base::text_of(values)});
+    series.push_back({.key = series_key(study, entry),
+                      .label = entry.label,
+                      .algorithm = entry.solver,
+                      .options = base::text_of(values)});
   }
-  return all;
+  return series;
 }
 
 }  // namespace ikbench::experiments

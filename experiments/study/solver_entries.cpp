@@ -24,18 +24,18 @@ namespace {
 
 constexpr std::array<std::string_view, 2> if_missing_choices{"refuse", "leave_out"};
 
-// Throws LeftOut if an entry may be left out whose library or program is missing.
-void leave_out(TomlReader& entry, const std::string& what, const std::string& why) {
+// Throws SkippedSolver if the entry may be left out; its library or program is missing for the reason `why`.
+void skip_if_allowed(TomlReader& entry, const std::string& what, const std::string& why) {
   IfMissing if_missing = IfMissing::refuse;
   entry.choice("if_missing", if_missing, if_missing_choices);
   if (if_missing == IfMissing::refuse) return;
-  SkippedSolver left_out{what, why};
-  entry.text("label", left_out.label);
-  throw left_out;
+  SkippedSolver skipped{.label = what, .reason = why};
+  entry.text("label", skipped.label);
+  throw skipped;
 }
 
-// Reads the kind of an entry: a built-in solver or a program. Throws LeftOut if the entry may be left out, and its
-// program does not start or this program was built without its library.
+// Reads the kind of an entry: a built-in solver or a program. Throws SkippedSolver if the entry may be left out, and
+// its program does not start or this program was built without its library.
 void read_kind(TomlReader& reader, SolverEntry& entry) {
   reader.text("solver", entry.solver);
   const bool is_program = reader.find("process") != nullptr;
@@ -51,12 +51,12 @@ void read_kind(TomlReader& reader, SolverEntry& entry) {
     return;
   }
   for (const MissingPeer& peer : missing_peers()) {
-    if (peer.name == entry.solver) leave_out(reader, entry.solver, peer.how);
+    if (peer.name == entry.solver) skip_if_allowed(reader, entry.solver, peer.how);
   }
   with_key_context(reader, "solver", [&] { return solver(entry.solver); });
 }
 
-// The value of a setting: the population or an option. `settings` names the entry's label before its keys.
+// Returns the value of a setting: the population or an option. `settings` names the entry's label before its keys.
 Setting value_in(const TomlReader& settings, const SolverEntry& entry, const std::string& setting,
                  const toml::node& node) {
   if (setting == population_key) {
@@ -79,8 +79,9 @@ Setting value_in(const TomlReader& settings, const SolverEntry& entry, const std
     value = *quoted;
   } else if (const auto* const whole = node.as_integer()) {
     value = static_cast<double>(whole->get());
-    const std::string written = std::to_string(whole->get());
-    if (fmt::format("{:.0f}", std::get<double>(value)) != written) value = written;  // which no option accepts
+    const std::string digits = std::to_string(whole->get());
+    // A number of more digits than a double has stays a text, which no option accepts.
+    if (fmt::format("{:.0f}", std::get<double>(value)) != digits) value = digits;
   } else if (const auto* const number = node.as_floating_point()) {
     value = number->get();
   } else {
@@ -94,7 +95,8 @@ Setting value_in(const TomlReader& settings, const SolverEntry& entry, const std
   return value;
 }
 
-void give(SolverEntry& entry, const std::string& setting, const Setting& value) {
+// Sets the population or an option of an entry.
+void set_setting(SolverEntry& entry, const std::string& setting, const Setting& value) {
   if (setting == population_key)
     entry.population = static_cast<int>(std::get<double>(value));
   else
@@ -108,7 +110,7 @@ using Axes = std::map<std::string, std::vector<Setting>>;
 void read_setting(const TomlReader& settings, SolverEntry& entry, Axes& axes, const std::string& setting,
                   const toml::node& node) {
   const toml::array* const list = node.as_array();
-  if (list == nullptr) return give(entry, setting, value_in(settings, entry, setting, node));
+  if (list == nullptr) return set_setting(entry, setting, value_in(settings, entry, setting, node));
   if (list->empty() || list->size() > most_solvers)
     settings.fail(setting, node, fmt::format("a list of 1 to {} values", most_solvers));
   std::vector<Setting> values;
@@ -136,9 +138,9 @@ std::vector<SolverEntry> combinations(const TomlReader& reader, const SolverEntr
     std::vector<SolverEntry> longer;
     for (const SolverEntry& shorter : entries) {
       for (const Setting& value : values) {
-        SolverEntry& one = longer.emplace_back(shorter);
-        give(one, setting, value);
-        one.label += fmt::format(" {}={}", setting, text_of(value));
+        SolverEntry& combined = longer.emplace_back(shorter);
+        set_setting(combined, setting, value);
+        combined.label += fmt::format(" {}={}", setting, text_of(value));
       }
     }
     entries = std::move(longer);
@@ -148,20 +150,23 @@ std::vector<SolverEntry> combinations(const TomlReader& reader, const SolverEntr
   return entries;
 }
 
+// Checks an entry of a program against the study. A program may decline more targets later.
+void check_program(const TomlReader& at_entry, const SolverEntry& entry, const Study& study) {
+  const Hello& hello = entry.program->hello;
+  if (!hello.solves(goal_kind(study.search)))
+    throw at_entry.mistake(
+        "process", fmt::format("{} solves for {}; expected another search", hello.name, fmt::join(hello.goals, ", ")));
+  if (entry.program->choice.batch == 0) return;
+  if (!hello.takes_batches)
+    throw at_entry.mistake("batch", entry.solver + " takes none: its hello does not say \"batch\": true");
+  if (study.is_chained())
+    throw at_entry.mistake("batch", "each solve starts where the one before ended; expected another start");
+}
+
 // Checks an entry against the study. `at_entry` names the label before its keys.
 void check_entry(const TomlReader& reader, const TomlReader& at_entry, const SolverEntry& entry, const Study& study,
                  const Robot& arm) {
-  if (entry.program) {  // a program may decline more later
-    if (const Hello& hello = entry.program->hello; !hello.solves(goal_kind(study.search)))
-      throw at_entry.mistake("process", fmt::format("{} solves for {}; expected another search", hello.name,
-                                                    fmt::join(hello.goals, ", ")));
-    if (entry.program->choice.batch == 0) return;
-    if (!entry.program->hello.takes_batches)
-      throw at_entry.mistake("batch", entry.solver + " takes none: its hello does not say \"batch\": true");
-    if (study.is_chained())
-      throw at_entry.mistake("batch", "each solve starts where the one before ended; expected another start");
-    return;
-  }
+  if (entry.program) return check_program(at_entry, entry, study);
   const SolverInfo info = solver(entry.solver);
   if (const std::string why = info.why_not(arm.chain, goal_kind(study.search)); !why.empty())
     throw at_entry.mistake("solver", why);
@@ -178,7 +183,7 @@ void check_entry(const TomlReader& reader, const TomlReader& at_entry, const Sol
   }
 }
 
-// Reads an entry. A setting that has a list of values makes one entry per combination: "IK-BA population=20".
+// Reads an entry. A setting that has a list of values makes one entry per combination, as "IK-BA population=20".
 std::vector<SolverEntry> read_entry(TomlReader reader) {
   SolverEntry entry;
   read_kind(reader, entry);
@@ -212,7 +217,7 @@ std::shared_ptr<const Program> read_program(TomlReader& reader, bool is_of_entry
   try {
     return probe(choice, base_folder(reader, key));
   } catch (const std::invalid_argument& error) {
-    if (is_of_entry) leave_out(reader, choice.process[0], error.what());
+    if (is_of_entry) skip_if_allowed(reader, choice.process[0], error.what());
     throw reader.mistake(key, fmt::format("{}: {}{}", choice.process[0], error.what(),
                                           is_of_entry ? "; see: ikbench check-solver" : ""));
   }
@@ -225,8 +230,8 @@ void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
     std::vector<SolverEntry> entries;
     try {
       entries = read_entry(reader.nested(*table, "solvers."));
-    } catch (const SkippedSolver& left_out) {
-      study.skipped.push_back(left_out);
+    } catch (const SkippedSolver& skipped) {
+      study.skipped.push_back(skipped);
     }
     for (SolverEntry& entry : entries) {
       if (!labels.insert(entry.label).second) {

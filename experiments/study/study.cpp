@@ -16,6 +16,8 @@ using namespace solvers;
 
 namespace {
 
+// Returns the random numbers of a run's targets. NumPy has one sequence for all runs, so a run begins where the numbers
+// of the runs before end.
 Random random_of_targets(const Study& study, const Robot& arm, int run) {
   if (study.path->uses_numpy_random())
     return Random::of_numpy(
@@ -24,7 +26,7 @@ Random random_of_targets(const Study& study, const Robot& arm, int run) {
   return Random(Key(study.seed).with("targets").with(static_cast<std::uint64_t>(run)));
 }
 
-constexpr int most_shards = 100'000;
+constexpr int max_shards = 100'000;
 
 }  // namespace
 
@@ -35,7 +37,17 @@ std::vector<std::string> labels_of(const Study& study) {
 }
 
 GoalKind goal_kind(Search search) {
-  return search == Search::pose ? GoalKind::pose : search == Search::axis ? GoalKind::axis : GoalKind::position;
+  switch (search) {
+    case Search::pose:
+      return GoalKind::pose;
+    case Search::axis:
+      return GoalKind::axis;
+    case Search::wrist:
+    case Search::all_joints:
+    case Search::flange:
+      break;
+  }
+  return GoalKind::position;
 }
 
 Robot robot_of(const Study& study) { return study.robot_of_file ? *study.robot_of_file : robot(study.robot); }
@@ -88,11 +100,13 @@ std::vector<Configuration> starts_of_run(const Study& study, const Robot& arm, i
   if (study.start == Start::previous || study.start == Start::initial) return {};
   const Configuration zeros = Configuration::Zero(arm.joints());
   const JointLimits range = arm.limits.around(zeros);
-  Random random(Key(study.seed).with("starts").with(static_cast<std::uint64_t>(run))),
-      of_targets = random_of_targets(study, arm, run);
-  std::vector<Configuration> all(static_cast<std::size_t>(study.path->points()), (range.lower + range.upper) / 2);
-  if (study.start == Start::near) all = study.path->source_configurations(arm, of_targets);
-  for (Configuration& start : all) {
+  Random random(Key(study.seed).with("starts").with(static_cast<std::uint64_t>(run)));
+  std::vector<Configuration> starts(static_cast<std::size_t>(study.path->points()), (range.lower + range.upper) / 2);
+  if (study.start == Start::near) {
+    Random of_targets = random_of_targets(study, arm, run);
+    starts = study.path->source_configurations(arm, of_targets);
+  }
+  for (Configuration& start : starts) {
     for (Eigen::Index j = 0; j < start.size(); ++j) {
       if (study.start == Start::random) start[j] = random.uniform(range.lower[j], range.upper[j]);
       if (study.start == Start::near && !arm.chain.slides(j)) {
@@ -101,7 +115,7 @@ std::vector<Configuration> starts_of_run(const Study& study, const Robot& arm, i
       }
     }
   }
-  return all;
+  return starts;
 }
 
 std::vector<UnreachableTarget> unreachable_targets(const Study& study) {
@@ -111,32 +125,31 @@ std::vector<UnreachableTarget> unreachable_targets(const Study& study) {
       study.search == Search::wrist ? std::optional<SphericalWrist>(arm.chain) : std::nullopt;
   const Chain& searched = wrist ? wrist->arm() : arm.chain;
   const Chain::Ball ball = searched.reach();
-  std::vector<UnreachableTarget> beyond;
+  std::vector<UnreachableTarget> unreachable;
   int point = 0;
   for (const Pose& target : targets_of_run(study, arm, 1)) {
     ++point;
     const Eigen::Vector3d goal = wrist ? wrist->centre(target) : target.translation();
     const double distance = (goal - ball.centre).norm();
-    if (distance > ball.radius) beyond.push_back({point, distance, ball.radius});
+    if (distance > ball.radius) unreachable.push_back({point, distance, ball.radius});
   }
-  return beyond;
+  return unreachable;
 }
 
 Shard parse_shard(std::string_view text) {
   Shard shard;
   std::sscanf(std::string(text).c_str(), "%6d/%6d", &shard.index, &shard.count);
-  if (shard.text() == text && shard.index >= 1 && shard.index <= shard.count && shard.count <= most_shards)
-    return shard;
+  if (shard.text() == text && shard.index >= 1 && shard.index <= shard.count && shard.count <= max_shards) return shard;
   throw std::invalid_argument(
-      fmt::format("'{}' is no shard; expected I/N with 1 <= I <= N <= {}, as 3/12", text.substr(0, 100), most_shards));
+      fmt::format("'{}' is no shard; expected I/N with 1 <= I <= N <= {}, as 3/12", text.substr(0, 100), max_shards));
 }
 
 std::string Shard::text() const { return fmt::format("{}/{}", index, count); }
 
 bool is_in_shard(Shard shard, const Study& study, int run, int point) {
-  const std::int64_t part =  // from 0; all points of a chain are one part
+  const std::int64_t unit =  // from 0; all points of a chain are one unit
       study.is_chained() ? run - 1 : std::int64_t{run - 1} * study.path->points() + point - 1;
-  return part % shard.count == shard.index - 1;
+  return unit % shard.count == shard.index - 1;
 }
 
 std::int64_t work_unit_count(const Study& study) {
@@ -144,8 +157,8 @@ std::int64_t work_unit_count(const Study& study) {
 }
 
 std::int64_t planned_solve_count(Shard shard, const Study& study) {
-  const std::int64_t mine = (work_unit_count(study) + shard.count - shard.index) / shard.count;
-  return mine * (study.is_chained() ? study.path->points() : 1) * std::ssize(study.solvers);
+  const std::int64_t units = (work_unit_count(study) + shard.count - shard.index) / shard.count;
+  return units * (study.is_chained() ? study.path->points() : 1) * std::ssize(study.solvers);
 }
 
 }  // namespace ikbench::experiments

@@ -1,4 +1,5 @@
-// Reads a stored study as the study file that it was: what the store keeps in another form is put where a file has it.
+// Reads a stored study as the study file that it was. Values that the store keeps in another form are first put where a
+// study file has them.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -23,7 +24,8 @@ using namespace results;
 namespace {
 
 // Returns the arm that was solved. A built-in arm, or the arm of a file in the current folder, is taken if it is still
-// that arm. The store keeps an arm only to the rounding of its degrees, and has no URDF text for programs.
+// the stored arm, because the store keeps an arm only to the rounding of its degrees, and has no URDF text for
+// programs.
 Robot arm_in(const StoredStudy& stored, const robots::UrdfChoice& urdf) {
   const std::string& name = stored.definition.robot;
   const auto is_same = [&](const Robot& arm) { return arm_json(arm) == parsed_json(stored.definition.arm); };
@@ -64,7 +66,7 @@ Json targets_in(const Store& store, const StoredStudy& stored) {
   return poses;
 }
 
-// Returns a path whose targets were in a file: its fields, and the targets as the store has them.
+// A path whose targets were in a file: the fields of the path, and the targets that the store has.
 class TargetsOfFile final : public TargetSet {
  public:
   TargetsOfFile(Path fields, Path targets) : fields_(std::move(fields)), targets_(std::move(targets)) {}
@@ -127,9 +129,9 @@ bool read_stored_targets(const StoredStudy& stored, Study& study) {
 std::vector<std::vector<std::string>> programs_of(const StoredStudy& stored) {
   std::set<std::vector<std::string>> programs;
   if (!stored.definition.check.process.empty()) programs.insert(stored.definition.check.process);
-  const toml::table all = toml_of(parsed_json(stored.definition.json));
-  if (!all.contains("solvers")) return {programs.begin(), programs.end()};
-  TomlReader reader(all, fmt::format("study {}", stored.name), "");
+  const toml::table definition = toml_of(parsed_json(stored.definition.json));
+  if (!definition.contains("solvers")) return {programs.begin(), programs.end()};
+  TomlReader reader(definition, fmt::format("study {}", stored.name), "");
   for (const toml::table* const entry : reader.tables("solvers", most_solvers, "a list of solvers")) {
     std::vector<std::string> process;
     reader.nested(*entry, "solvers.").texts("process", process, "");

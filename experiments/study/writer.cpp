@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -43,7 +44,7 @@ std::string toml_text(const OrderedJson& value) {
 
 // ---- JSON ---------------------------------------------------------------------------------------------------------
 
-// Leaves poses out, since every solve has its target.
+// Returns the fields as members of an object. Poses are left out, because every solve has its target.
 OrderedJson json_of(const WrittenFields& fields, OrderedJson json = {}) {
   for (const WrittenField& field : fields) {
     if (field.poses == nullptr) json[field.key] = field.json;
@@ -59,29 +60,33 @@ Study as_in_files(Study study) {
 }
 
 // Returns how a program is started, without the settings that have their defaults.
-OrderedJson start_of(ProgramSpec choice) {
+OrderedJson program_json(ProgramSpec choice) {
   ProgramSpec by_default;
-  const WrittenFields fields = written_fields(choice), defaults = written_fields(by_default);
+  const WrittenFields fields = written_fields(choice);
+  const WrittenFields defaults = written_fields(by_default);
   OrderedJson json;
-  for (std::size_t i = 0; i < fields.size(); ++i)
+  for (std::size_t i = 0; i < fields.size(); ++i) {
     if (fields[i].text != defaults[i].text) json[fields[i].key] = fields[i].json;
+  }
   return json;
 }
 
-// Returns an entry as in a study file. Its colour is among those of the figures.
+// Returns an entry as in a study file, but without its colour. The colours are among the keys of the figures.
 OrderedJson entry_definition(const SolverEntry& entry) {
   OrderedJson json = {{"label", entry.label}};
   if (entry.program)
-    json.update(start_of(entry.program->choice));
+    json.update(program_json(entry.program->choice));
   else
     json["solver"] = entry.solver;
   if (entry.population > 0) json["population"] = entry.population;
   if (entry.if_missing == IfMissing::skip) json["if_missing"] = "leave_out";
-  for (const auto& [name, setting] : entry.options)
+  for (const auto& [name, setting] : entry.options) {
     std::visit([&](const auto& value) { json["options"][name] = value; }, setting);
+  }
   return json;
 }
 
+// Returns the study as in a study file.
 OrderedJson definition(const Study& study) {
   Study fields = as_in_files(study);
   OrderedJson json = json_of(written_fields(fields));
@@ -95,8 +100,9 @@ OrderedJson definition(const Study& study) {
   if (fields.loop.period > 0) json["loop"] = json_of(written_fields(fields.loop));
   if (study.checker) {
     json["check"] = json_of(written_fields(fields.check));
-    json["check"]["process"] = study.check.process, json["check"]["files"] = study.checker->choice.files;
-    json["check"].update(start_of(study.checker->choice));
+    json["check"]["process"] = study.check.process;
+    json["check"]["files"] = study.checker->choice.files;
+    json["check"].update(program_json(study.checker->choice));
   }
   for (const SolverEntry& entry : study.solvers) json["solvers"].push_back(entry_definition(entry));
   if (is_urdf_file(study.robot)) json["urdf"] = json_of(written_fields(fields.urdf));
@@ -118,7 +124,10 @@ OrderedJson arm_definition(const Robot& arm) {
   for (const std::string& name : joint_names(arm.description)) json["links"][joint++]["name"] = name;
   if (arm.velocity.size() > 0)
     json["velocity_deg_s"] = in_units((arm.velocity.array() / joint_units(arm.chain).array()).eval(), 1);
-  if (!arm.tip_link.empty()) json["base_link"] = arm.base_link, json["tip_link"] = arm.tip_link;
+  if (!arm.tip_link.empty()) {
+    json["base_link"] = arm.base_link;
+    json["tip_link"] = arm.tip_link;
+  }
   if (!arm.notes.empty()) json["notes"] = arm.notes;
   for (auto [key, frame] : {std::pair{"base", arm.chain.base()}, std::pair{"tool", arm.chain.tool()}})
     json[key] = json_of(written_fields(frame));
@@ -137,29 +146,35 @@ std::optional<Study> original_of(const Study& study) {
   return *original;
 }
 
-// Returns the settings in which a study differs from the original. These may differ freely: name, title, seed, trace,
-// turns, the analysis, further solvers (of which options are compared below), and the arm if each has random targets of
-// its own, as a row of a table.
+// Returns true if a setting, named as in a flat definition, may differ from the original study. The options of solvers
+// are compared apart. The arm may differ if the targets are random, so that each row of a table has its own arm; the
+// limits of the arm may then move the initial configuration.
+bool may_differ(const std::string& pointer, const Study& original) {
+  constexpr std::array<std::string_view, 5> free_settings{"/name", "/title", "/seed", "/trace", "/turns"};
+  constexpr std::array<std::string_view, 3> free_tables{"/analysis/", "/figures/", "/solvers/"};
+  const bool is_of_arm = pointer == "/robot" || pointer.starts_with("/initial_deg");
+  if (is_of_arm && original.path->name() == "random") return true;
+  return std::ranges::find(free_settings, pointer) != free_settings.end() ||
+         std::ranges::any_of(free_tables, [&](std::string_view table) { return pointer.starts_with(table); });
+}
+
+// Returns the settings in which a study differs from the original.
 std::vector<std::string> departures(const Study& study, const Study& original) {
   std::vector<std::string> keys;
-  const auto ours = definition(study).flatten(), theirs = definition(original).flatten();
-  for (const auto& [pointer, value] : theirs.items()) {
-    const bool of_arm = pointer == "/robot" || pointer.starts_with("/initial_deg");  // limits of the arm may move it
-    const bool is_free = pointer == "/name" || pointer == "/title" || pointer == "/seed" || pointer == "/trace" ||
-                         pointer == "/turns" || (of_arm && original.path->name() == "random") ||
-                         pointer.starts_with("/analysis/") || pointer.starts_with("/figures/") ||
-                         pointer.starts_with("/solvers/");
-    if (is_free || (ours.contains(pointer) && ours[pointer] == value)) continue;
+  const auto of_study = definition(study).flatten();
+  const auto of_original = definition(original).flatten();
+  for (const auto& [pointer, value] : of_original.items()) {
+    if (may_differ(pointer, original) || (of_study.contains(pointer) && of_study[pointer] == value)) continue;
     std::string name = pointer.substr(1);
     std::replace(name.begin(), name.end(), '/', '.');
     keys.push_back(name);
   }
   if (study.checker) keys.emplace_back("check");
   for (const SolverEntry& entry : original.solvers) {
-    const auto same = std::ranges::find(study.solvers, entry.label, &SolverEntry::label);
-    if (same == study.solvers.end()) continue;
-    if (same->solver != entry.solver || same->population != entry.population ||
-        effective_options(study, *same) != effective_options(original, entry)) {
+    const auto with_label = std::ranges::find(study.solvers, entry.label, &SolverEntry::label);
+    if (with_label == study.solvers.end()) continue;
+    if (with_label->solver != entry.solver || with_label->population != entry.population ||
+        effective_options(study, *with_label) != effective_options(original, entry)) {
       keys.push_back("options of " + entry.label);
     }
   }
@@ -168,10 +183,12 @@ std::vector<std::string> departures(const Study& study, const Study& original) {
 
 // ---- TOML ---------------------------------------------------------------------------------------------------------
 
+// Returns a line "key = value", with its meaning as a comment if that is not empty.
 std::string line(std::string_view key, std::string_view value, std::string_view meaning) {
   return meaning.empty() ? fmt::format("{} = {}\n", key, value) : fmt::format("{} = {}  # {}\n", key, value, meaning);
 }
 
+// Returns the fields as lines, and poses as a list of tables.
 std::string lines_of(const WrittenFields& fields) {
   std::string text;
   for (const auto& [key, json, exact_text, meaning, in_key, poses] : fields) {
@@ -186,6 +203,31 @@ std::string lines_of(const WrittenFields& fields) {
     }
     text += "]\n";
   }
+  return text;
+}
+
+// Returns the lines of an entry, below [[solvers]].
+std::string lines_of_entry(const SolverEntry& entry) {
+  std::string text = line("label", toml_string(entry.label), "");
+  if (entry.program) {
+    ProgramSpec choice = entry.program->choice;
+    text += lines_of(written_fields(choice));
+  } else {
+    text += line("solver", toml_string(entry.solver), "options and ranges: ikbench list solvers " + entry.solver);
+  }
+  if (entry.population > 0)
+    text += line("population", fmt::format("{}", entry.population), "overrides the population of the study");
+  if (!entry.colour.empty())
+    text += line("colour", toml_string(entry.colour), "of the solver in every figure: \"#RRGGBB\"");
+  if (entry.if_missing == IfMissing::skip)
+    text +=
+        line("if_missing", "'leave_out'", "where it was not built the study goes on without it; refuse: it does not");
+  std::vector<std::string> options;
+  for (const auto& [name, setting] : entry.options) {
+    const std::string value = text_of(setting);
+    options.push_back(name + " = " + (std::holds_alternative<double>(setting) ? value : toml_string(value)));
+  }
+  if (!options.empty()) text += line("options", fmt::format("{{ {} }}", fmt::join(options, ", ")), "");
   return text;
 }
 
@@ -217,30 +259,9 @@ std::string to_toml(const Study& study) {
     ProgramSpec choice = study.checker->choice;
     text += "\n[check]\n" + lines_of(written_fields(choice)) + lines_of(written_fields(fields.check));
   }
-  for (const SkippedSolver& left_out : study.skipped)
-    text += fmt::format("\n# left out: {} is {}\n", left_out.label, left_out.reason);
-  for (const SolverEntry& entry : study.solvers) {
-    text += "\n[[solvers]]\n" + line("label", toml_string(entry.label), "");
-    if (entry.program) {
-      ProgramSpec choice = entry.program->choice;
-      text += lines_of(written_fields(choice));
-    } else {
-      text += line("solver", toml_string(entry.solver), "options and ranges: ikbench list solvers " + entry.solver);
-    }
-    if (entry.population > 0)
-      text += line("population", fmt::format("{}", entry.population), "overrides the population of the study");
-    if (!entry.colour.empty())
-      text += line("colour", toml_string(entry.colour), "of the solver in every figure: \"#RRGGBB\"");
-    if (entry.if_missing == IfMissing::skip)
-      text +=
-          line("if_missing", "'leave_out'", "where it was not built the study goes on without it; refuse: it does not");
-    std::vector<std::string> options;
-    for (const auto& [name, of_entry] : entry.options) {
-      const std::string value = text_of(of_entry);
-      options.push_back(name + " = " + (std::holds_alternative<double>(of_entry) ? value : toml_string(value)));
-    }
-    if (!options.empty()) text += line("options", fmt::format("{{ {} }}", fmt::join(options, ", ")), "");
-  }
+  for (const SkippedSolver& skipped : study.skipped)
+    text += fmt::format("\n# left out: {} is {}\n", skipped.label, skipped.reason);
+  for (const SolverEntry& entry : study.solvers) text += "\n[[solvers]]\n" + lines_of_entry(entry);
   return text;
 }
 
@@ -253,7 +274,8 @@ OrderedJson stored_document(const Study& study) {
   json["arm"] = arm_definition(robot_of(study));
   const std::optional<Study> original = original_of(study);
   json["departures"] = original ? departures(study, *original) : std::vector<std::string>();
-  if (const auto beyond = unreachable_targets(study).size(); beyond > 0) json["unreachable_targets"]["points"] = beyond;
+  const std::size_t unreachable = unreachable_targets(study).size();
+  if (unreachable > 0) json["unreachable_targets"]["points"] = unreachable;
   return json;
 }
 

@@ -10,17 +10,17 @@
 
 namespace ikbench::experiments {
 
-// Returns the whole study as a file; parse_study gives the same study again.
+// Returns the whole study as a file, with a comment behind each key. parse_study makes the same study of it.
 std::string to_toml(const Study& study);
 // Returns a path as the table [path] of a study.
 std::string to_toml(Path path);
-// Returns a look of figures as the table [figures].
+// Returns a style of figures as the keys of [figures].
 std::string to_toml(results::FigureStyle style);
-// Returns the study without its solvers, with its number of points and its arm, as the store keeps it.
+// Returns the definition of the study as the store keeps it: its settings, number of points, arm, departures and reach.
 std::string to_json(const Study& study);
-// Returns an arm as the definition has it at "/arm".
+// Returns an arm as the definition has it at "/arm", for comparisons with a stored arm.
 base::Json arm_json(const Robot& arm);
-// Returns a plan as the definition has it at "/analysis".
+// Returns a plan as the definition has it at "/analysis", which each session keeps.
 std::string to_json(results::AnalysisPlan plan);
 
 // Returns the study as the store keeps it, with its series. This makes the keys of all series, which takes time, so a

@@ -1,11 +1,12 @@
 // Study files: written files are read again, and mistakes are reported with their places.
+#include "experiments/study/written_fields.hpp"
 #include "tests/experiments/samples.hpp"
 #include "tests/mistakes.hpp"
 
 namespace {
 
 const std::string solver_entry = "[[solvers]]\nsolver = \"ik_bat\"\n";
-// An arm and targets, before an entry.
+// The keys before an entry: an arm and targets.
 const std::string arm_and_path = "robot = \"ur5e\"\nsearch = \"pose\"\npath.kind = \"random\"\n";
 const std::string planar = "robot = \"planar_2\"\nsearch = \"all_joints\"\n";
 
@@ -41,6 +42,30 @@ TEST_CASE("every built-in study comes back from its file with the same series", 
     CHECK(keys_of(again) == keys_of(study));
     CHECK(to_toml(again) == to_toml(study));
     CHECK(to_json(again) == to_json(study));
+  }
+}
+
+TEST_CASE("a stored study is what readers of the store make of its text", "[study]") {
+  const auto texts_of = []<class Struct>(Struct fields) {
+    std::vector<std::string> texts;
+    for (const WrittenField& field : written_fields(fields)) texts.push_back(field.text);
+    return texts;
+  };
+  std::vector<Study> studies = built_in_studies();
+  studies.push_back(load_study("tests/data/every-field.toml"));
+  for (const Study& study : studies) {
+    INFO(study.name);
+    const StudyDefinition stored = to_stored(study).definition, again = parse_definition(to_json(study));
+    CHECK(stored.json == again.json);
+    CHECK(stored.arm == again.arm);
+    CHECK(stored.task == again.task);
+    CHECK(stored.departures == again.departures);
+    CHECK(stored.max_steps == again.max_steps);
+    CHECK(stored.points == again.points);
+    CHECK(stored.unreachable_targets == again.unreachable_targets);
+    CHECK(stored.plan == again.plan);
+    CHECK(texts_of(stored.stop) == texts_of(again.stop));
+    CHECK(texts_of(static_cast<const StudySpec&>(stored)) == texts_of(static_cast<const StudySpec&>(again)));
   }
 }
 
@@ -198,7 +223,7 @@ TEST_CASE("a study's arm may be a file in the study's folder, and for --set in t
   CHECK(robot_of(study).joints() == 2);
   CHECK(study.initial == Eigen::Vector2d(0, 0.125));  // as near to zeros as the limits allow
 
-  // Degrees, and metres for a slide, there and back.
+  // Degrees for a revolute joint, and metres for a prismatic one, are written and read again.
   const std::string slide = (folder.path / "slider.toml").string();
   const Study placed =
       read("robot = '" + slide + "'\nsearch = \"all_joints\"\ninitial_deg = [45, 0.3]\n" + solver_entry);
@@ -220,7 +245,7 @@ TEST_CASE("a study's arm may be a file in the study's folder, and for --set in t
   CHECK(statements_of("search = \"wrist\"\n" + solver_entry, {"robot=" + other}).find("has no spherical wrist") !=
         std::string::npos);
 
-  // The numbers of the arm decide the series, its name does not.
+  // The numbers of an arm decide the series, not the name of the arm.
   write_text(folder.path / "same.toml",
              "# the same\nlinks = [{ a_m = 0.50 }, { joint = 'slides', limits_m = [0.125, 0.5] }]\n"
              "[tool]\nrpy_deg = [0, 90, 0]\n");
@@ -254,7 +279,7 @@ TEST_CASE("a study's arm may be a URDF file, read as its table urdf says", "[stu
   const std::string rounded = std::filesystem::absolute("tests/data/urdf/gen3.urdf").string();
   CHECK(contains(statements_of("search = \"wrist\"\n" + solver_entry, {"robot=" + rounded}),
                  "0.35 mm from a common point and 0.00021 deg from right angles; expected \"all_joints\""));
-  // The turns of axes that are almost parallel are stored where there are some.
+  // The angles of axes that are almost parallel are stored only if there are some.
   const Study calibrated = read("search = \"pose\"\n" + solver_entry,
                                 {"robot=" + std::filesystem::absolute("tests/data/urdf/ur5_calibrated.urdf").string()});
   const nlohmann::json stored = nlohmann::json::parse(to_json(calibrated))["arm"];

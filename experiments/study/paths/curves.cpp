@@ -15,11 +15,17 @@ using namespace robots;
 
 namespace {
 
-// The direction of a curve. sin_cos: (x, y) = centre + radius (sin t, cos t); cos_sin: centre + radius (cos t, sin t).
-enum class Phase { sin_cos, cos_sin };
+// The direction of a curve.
+enum class Phase {
+  sin_cos,  // (x, y) = centre + radius (sin t, cos t)
+  cos_sin   // (x, y) = centre + radius (cos t, sin t)
+};
 
-// The end of a curve: point k of n, k = 0 ... n - 1, lies at the fraction k/n or k/(n - 1) of the path.
-enum class Spacing { k_over_n, k_over_n_minus_1 };
+// The fraction of the path at which point k of n lies, k = 0 ... n - 1.
+enum class Spacing {
+  k_over_n,         // k / n: a closed curve does not repeat its first point
+  k_over_n_minus_1  // k / (n - 1): the last point is the end of the curve
+};
 
 class Helix : public TargetSet {
  public:

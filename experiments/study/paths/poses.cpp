@@ -28,12 +28,12 @@ namespace {
 constexpr std::string_view expected_columns =
     "x, y and z with _m, _cm or _mm, such as x_cm; qw, qx, qy, qz, or roll, pitch and yaw with _deg or _rad; or, "
     "without a header, 12 or 16 columns for the rows of a 4 x 4 matrix";
-constexpr std::size_t most_rows = 100'000;
+constexpr std::size_t max_rows = 100'000;
 
 using Group = std::vector<std::size_t>;  // columns
 using Parts = std::initializer_list<std::string_view>;
 
-// The parts of the name of a column: "pose.position.x [mm]" is x of "pose.position.", in mm.
+// The name of a column in its parts: "pose.position.x [mm]" is x of "pose.position.", in mm.
 struct ColumnName {
   std::string whole, part, unit;
   std::string other_unit;  // a unit that no pose has
@@ -50,19 +50,21 @@ struct ColumnName {
   }
 };
 
-// The columns of a file by the structure of their names: w, x, y and z of one thing are a quaternion.
+// The columns of a file, found by the structure of their names: w, x, y and z of one thing are a quaternion.
 class PoseColumns {
  public:
-  PoseColumns(Sheet& sheet, const std::vector<std::string>& said) : sheet_(sheet), are_said_(!said.empty()) {
-    const std::vector<std::string>& titles = are_said_ ? said : sheet.titles();
+  // `columns` replaces the names of the header, unless it is empty.
+  PoseColumns(Sheet& sheet, const std::vector<std::string>& columns) : sheet_(sheet), are_given_(!columns.empty()) {
+    const std::vector<std::string>& titles = are_given_ ? columns : sheet.titles();
     if (titles.size() != sheet.titles().size())
       sheet.refuse(fmt::format("it has {} columns, but `columns` names {}", sheet.titles().size(), titles.size()));
     for (const std::string& title : titles) names_.emplace_back(title);
     quaternion_ = the_only({"w", "x", "y", "z"}, "");
     rpy_ = the_only({"roll", "pitch", "yaw"}, "deg rad");
     position_ = the_only({"x", "y", "z"}, "m cm mm");
-    for (std::size_t column = 0; column < titles.size(); ++column)  // without a header, or so said
+    for (std::size_t column = 0; column < titles.size(); ++column) {
       if (titles[column] == std::to_string(matrix_.size() + 1)) matrix_.push_back(column);
+    }
     const std::ptrdiff_t left_out = std::ranges::count(titles, "");
     if ((matrix_.size() != 12 && matrix_.size() != 16) || std::ssize(matrix_) + left_out != std::ssize(titles))
       matrix_.clear();
@@ -80,10 +82,10 @@ class PoseColumns {
 
  private:
   Sheet& sheet_;
-  bool are_said_;
+  bool are_given_;  // the names, by the study
   std::vector<ColumnName> names_;
   Group position_, quaternion_, rpy_;
-  Group matrix_;  // each row is one
+  Group matrix_;  // the elements of a matrix, row by row
 
   double number(std::size_t row, std::size_t column) {
     const double value = sheet_.number(row, column);
@@ -93,21 +95,27 @@ class PoseColumns {
     return value;
   }
 
-  // [m]
-  double length(std::size_t row, std::size_t column) {
+  // Returns the unit [m] of a column with lengths.
+  double unit_of_length(std::size_t column) const {
     const std::string& unit = names_[column].unit;
-    const double value = number(row, column) * (unit == "mm" ? 1e-3 : unit == "cm" ? centimetre : 1);
-    const double most = unit.empty() ? 10 : lengths_m.second;
-    if (std::abs(value) <= most) return value;
-    sheet_.refuse(row, column,
-                  fmt::format("is {:g} m; expected at most {:g} m, or the unit in the name: x_mm, x_cm", value, most));
+    if (unit == "mm") return 1e-3;
+    return unit == "cm" ? centimetre : 1;
   }
 
-  // [rad]
+  // Returns a length [m].
+  double length(std::size_t row, std::size_t column) {
+    const double value = number(row, column) * unit_of_length(column);
+    const double limit = names_[column].unit.empty() ? 10 : lengths_m.second;
+    if (std::abs(value) <= limit) return value;
+    sheet_.refuse(row, column,
+                  fmt::format("is {:g} m; expected at most {:g} m, or the unit in the name: x_mm, x_cm", value, limit));
+  }
+
+  // Returns an angle [rad].
   double angle(std::size_t row, std::size_t column) {
     const double value = number(row, column), unit = names_[column].unit == "deg" ? degree : 1;
-    constexpr double most = 1e6;  // beyond it digits of the angle are lost
-    if (std::abs(value) > most) sheet_.refuse(row, column, fmt::format("is no angle; expected at most {:g}", most));
+    constexpr double limit = 1e6;  // digits of a larger angle are lost
+    if (std::abs(value) > limit) sheet_.refuse(row, column, fmt::format("is no angle; expected at most {:g}", limit));
     if (const std::string_view warning = doubt_of_angle(value, unit); !warning.empty())
       sheet_.refuse(row, column, warning);
     return value * unit;
@@ -127,7 +135,7 @@ class PoseColumns {
     return Eigen::Quaterniond(unit[0], unit[1], unit[2], unit[3]).toRotationMatrix();
   }
 
-  // Without a last line, the last line of poses is meant.
+  // Returns the rotation of a matrix. A matrix of 12 numbers lacks the last row, which is 0 0 0 1 in every pose.
   Eigen::Matrix3d rotation_of_matrix(std::size_t row) {
     Eigen::Matrix4d T = Eigen::Matrix4d::Identity();
     for (std::size_t i = 0; i < matrix_.size(); ++i)
@@ -143,20 +151,20 @@ class PoseColumns {
   // Returns the columns that are these parts of one thing, in one of these units or none; empty if there are none.
   Group the_only(const Parts& parts, std::string_view units) {
     std::vector<Group> found;
-    for (const ColumnName& one : names_) {
-      if (one.part != *parts.begin()) continue;
-      // "tx", "px" and "pose.x" are of a position; "vx", "rx" and "qx" of something else.
-      if (parts.size() == 3 && one.whole.size() == 1 && !is_one_of(one.whole, {"t", "p"})) continue;
+    for (const ColumnName& first : names_) {
+      if (first.part != *parts.begin()) continue;
+      // "tx", "px" and "pose.x" belong to a position; "vx", "rx" and "qx" do not.
+      if (parts.size() == 3 && first.whole.size() == 1 && !is_one_of(first.whole, {"t", "p"})) continue;
       Group group;
       for (const std::string_view part : parts) {
         const std::size_t before = group.size();
         for (std::size_t column = 0; column < names_.size(); ++column) {
           const ColumnName& name = names_[column];
-          if (name.part == part && name.whole == one.whole && units.find(name.unit) != std::string_view::npos)
+          if (name.part == part && name.whole == first.whole && units.find(name.unit) != std::string_view::npos)
             group.push_back(column);
         }
         if (group.size() > before + 1)
-          sheet_.refuse(fmt::format("two columns for {}{}; expected one", one.whole, part));
+          sheet_.refuse(fmt::format("two columns for {}{}; expected one", first.whole, part));
       }
       if (group.size() == parts.size() && std::ranges::count(quaternion_, group.front()) == 0) found.push_back(group);
     }
@@ -179,7 +187,7 @@ class PoseColumns {
       const bool is_used = std::ranges::any_of(std::array{&position_, &quaternion_, &rpy_}, [&](const Group* group) {
         return std::ranges::count(*group, column) > 0;
       });
-      const bool may_be_out = are_said_ || is_stamp(names_[column].whole);
+      const bool may_be_out = are_given_ || is_stamp(names_[column].whole);
       if (is_used && !names_[column].other_unit.empty() && std::ranges::count(quaternion_, column) == 0)
         sheet_.refuse(fmt::format("{} has no unit of a length or an angle; expected m, cm, mm, deg or rad",
                                   in_quotes(sheet_.titles()[column])));
@@ -236,10 +244,10 @@ class CsvPath final : public Poses {
   // Throws if lengths in cm or mm seem to be taken for metres.
   void check(const Robot& arm) const override {
     const Chain::Ball reach = arm.chain.reach();
-    std::vector<double> far;  // in reaches
-    for (const Pose& pose : poses_) far.push_back((pose.translation() - reach.centre).norm() / reach.radius);
-    const auto middle = far.begin() + std::ssize(far) / 2;
-    std::ranges::nth_element(far, middle);
+    std::vector<double> distances;  // in multiples of the reach
+    for (const Pose& pose : poses_) distances.push_back((pose.translation() - reach.centre).norm() / reach.radius);
+    const auto middle = distances.begin() + std::ssize(distances) / 2;
+    std::ranges::nth_element(distances, middle);
     if (*middle > 10)
       throw std::invalid_argument(fmt::format(
           "{}: half of the points are {:.0f} times as far as the arm reaches, or more; x_m, x_cm and x_mm name units",
@@ -248,8 +256,8 @@ class CsvPath final : public Poses {
 
   void load(const std::filesystem::path& folder) override {
     const std::filesystem::path file = folder / file_;
-    constexpr std::uintmax_t most_bytes = 16'000'000;
-    const std::string text = text_of_file(file, most_bytes);
+    constexpr std::uintmax_t max_bytes = 16'000'000;
+    const std::string text = text_of_file(file, max_bytes);
     const std::filesystem::path home = std::filesystem::canonical(folder.empty() ? "." : folder),
                                 meant = std::filesystem::canonical(file);
     if (std::filesystem::path(file_).is_relative() &&
@@ -267,10 +275,10 @@ class CsvPath final : public Poses {
 
 }  // namespace
 
-std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file, const std::vector<std::string>& said) {
+std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file, const std::vector<std::string>& names) {
   Sheet sheet(text, file, 0, Sheet::Header::optional);
-  if (sheet.rows().size() > most_rows) sheet.refuse(fmt::format("expected at most {} poses", most_rows));
-  PoseColumns columns(sheet, said);
+  if (sheet.rows().size() > max_rows) sheet.refuse(fmt::format("expected at most {} poses", max_rows));
+  PoseColumns columns(sheet, names);
   std::vector<Pose> poses;
   for (const std::size_t row : sheet.rows()) poses.push_back(columns.pose_in(row));
   return poses;

@@ -1,4 +1,4 @@
-// Targets that are drawn again for every run: Slim et al. 2023, Table 7. All sets except `unreachable` are poses of
+// Targets that are drawn again for every run (Slim et al. 2023, Table 7). All sets except `unreachable` are poses of
 // drawn configurations, so the arm can reach them.
 #include <fmt/format.h>
 
@@ -16,9 +16,13 @@ using namespace robots;
 
 namespace {
 
+// The configurations whose poses are targets, as the field `set` explains.
 enum class Set { anywhere, near_limits, near_singular, edge, unreachable };
+
+// The generator of the configurations: random numbers of ikbench, or those that NumPy gives for the seed.
 enum class Generator { ikbench, numpy };
 
+// Returns the limits within which joints are drawn; finite for a continuous joint, too.
 JointLimits range_of(const Robot& arm) { return arm.limits.around(Configuration::Zero(arm.joints())); }
 
 Configuration drawn_within(const JointLimits& range, Random& random) {
@@ -39,10 +43,11 @@ Configuration drawn_near_limits(const Robot& arm, Random& random) {
   return q;
 }
 
-// A target set's condition: a configuration belongs to the set if its score is high enough.
+// The condition of a target set: a configuration belongs to the set if its score is at least `min_score`. Without a
+// score, every configuration belongs to the set.
 struct Demand {
   std::function<double(const Configuration&)> score;
-  double enough;
+  double min_score;
 };
 
 // Returns ascending scores of 1000 configurations, the same for every study of the arm.
@@ -77,19 +82,33 @@ Demand at_edge(const Robot& arm) {
   return {score, share * sampled(arm, score).back()};
 }
 
-// Draws until a configuration is good enough; after very many draws, returns the best.
+// Draws until a configuration meets the demand. After 20 000 draws, returns the one with the highest score.
 Configuration drawn_to_meet(const Demand& demand, const Robot& arm, Random& random) {
-  constexpr int most_draws = 20'000;
+  constexpr int max_draws = 20'000;
   Configuration best = drawn_within(range_of(arm), random);
-  double score = demand.score(best);
-  for (int i = 1; i < most_draws && score < demand.enough; ++i) {
+  double best_score = demand.score(best);
+  for (int i = 1; i < max_draws && best_score < demand.min_score; ++i) {
     const Configuration q = drawn_within(range_of(arm), random);
-    if (const double other = demand.score(q); other > score) {
+    if (const double score = demand.score(q); score > best_score) {
       best = q;
-      score = other;
+      best_score = score;
     }
   }
   return best;
+}
+
+Demand demand_of(Set set, const Robot& arm) {
+  switch (set) {
+    case Set::near_singular:
+      return near_singular(arm);
+    case Set::edge:
+      return at_edge(arm);
+    case Set::anywhere:
+    case Set::near_limits:
+    case Set::unreachable:
+      break;
+  }
+  return {};
 }
 
 class RandomTargets final : public TargetSet {
@@ -120,11 +139,11 @@ class RandomTargets final : public TargetSet {
     if (generator_ == Generator::numpy && set_ != Set::anywhere)
       throw std::invalid_argument(
           "path.generator is \"numpy\", which draws anywhere; expected path.set = \"anywhere\"");
-    constexpr double least_reach = 1e-6;  // [m]; shares of a smaller reach are no distances
+    constexpr double min_reach = 1e-6;  // [m]; shares of a smaller reach are no distances
     const double reach = arm.chain.reach().radius;
     refuse_if(Set::unreachable, !std::isfinite(reach),
               fmt::format("\"unreachable\", but the reach of {} is not known, because a joint slides", arm.name));
-    refuse_if(Set::unreachable, reach < least_reach,
+    refuse_if(Set::unreachable, reach < min_reach,
               fmt::format("\"unreachable\", but the reach of {} is 0, and so is every share of it", arm.name));
     refuse_if(Set::near_limits, !(arm.limits.upper - arm.limits.lower).array().isFinite().any(),
               fmt::format("\"near_limits\", but no joint of {} has limits", arm.name));
@@ -153,7 +172,7 @@ class RandomTargets final : public TargetSet {
 
  private:
   std::vector<Configuration> drawn(const Robot& arm, Random& random) const {
-    const Demand demand = set_ == Set::near_singular ? near_singular(arm) : set_ == Set::edge ? at_edge(arm) : Demand{};
+    const Demand demand = demand_of(set_, arm);
     JointLimits range = range_of(arm);
     for (Eigen::Index j = 0; j < range.lower.size() && uses_numpy_random(); ++j) {
       if (arm.chain.slides(j) || range.upper[j] - range.lower[j] <= whole_turn) continue;
@@ -161,10 +180,14 @@ class RandomTargets final : public TargetSet {
       range.upper[j] = std::min(range.upper[j], whole_turn / 2);
     }
     std::vector<Configuration> drawn;
-    for (int i = 0; i < points_; ++i)
-      drawn.push_back(set_ == Set::near_limits ? drawn_near_limits(arm, random)
-                      : demand.score           ? drawn_to_meet(demand, arm, random)
-                                               : drawn_within(range, random));
+    for (int i = 0; i < points_; ++i) {
+      if (set_ == Set::near_limits)
+        drawn.push_back(drawn_near_limits(arm, random));
+      else if (demand.score)
+        drawn.push_back(drawn_to_meet(demand, arm, random));
+      else
+        drawn.push_back(drawn_within(range, random));
+    }
     return drawn;
   }
 
