@@ -98,7 +98,8 @@ std::string program_name() {
 std::string shared_source_digest() { return std::string(shared); }
 
 std::string solver_source_digest(std::string_view solver) {
-  const auto* found = std::ranges::find(of_solvers, solver, &std::pair<std::string_view, std::string_view>::first);
+  const auto* const found =
+      std::ranges::find(of_solvers, solver, &std::pair<std::string_view, std::string_view>::first);
   if (found == std::end(of_solvers)) throw std::logic_error("a solver without a source");
   return std::string(found->second);
 }

@@ -1,5 +1,5 @@
-// The multiverse of a paper: the points that it leaves open (multiverse/NAME.toml), all combinations of their
-// alternatives, and the solves by which claims are judged in each. `ikbench reproduce` uses it.
+// The multiverse of a paper: the points that the paper leaves open (multiverse/NAME.toml), all combinations of their
+// alternatives, and the solves by which claims are judged in each. Only `ikbench reproduce` uses it.
 #pragma once
 
 #include <string>
@@ -16,14 +16,15 @@ namespace ikbench::experiments {
 // file.
 std::vector<results::Dimension> read_dimensions(std::string_view study);
 
-// The readings of a study and the solves that they need.
+// The interpretations of a study (`readings`) and the solves that they need.
 struct MultiversePlan : results::Multiverse {
-  // Studies of one solver and one seed each, each series once, in the order of first need. Settings that do not change
-  // the key of a series share a part.
+  // Studies of one solver and one seed each, each series once, in the order of first need. Interpretations whose
+  // settings do not change the key of a series share a part.
   std::vector<Study> parts;
 };
 
-// Plans all readings with the seeds 1, 2, ... `seeds`. The overrides apply in every reading.
+// Plans all interpretations with the seeds 1, 2, ... `seeds`. The overrides apply in every interpretation. Throws
+// std::invalid_argument as load_study does.
 MultiversePlan plan_multiverse(const std::string& study, const std::vector<results::Dimension>& dimensions, int seeds,
                                const Overrides& overrides);
 
@@ -32,8 +33,8 @@ struct SeriesMeans {
   std::vector<double> error_cm, variation_deg;
 };
 
-// Solves the parts of a plan. Returns the means of each, in their order; none if the request was cancelled. Only jobs
-// (parts at once), progress and cancelled of the request count.
+// Solves the parts of a plan. Returns the means of each part, in the order of the parts; none if the request was
+// cancelled. Of the request, only `jobs` (parts at once), `progress` and `cancelled` are used.
 std::vector<SeriesMeans> solve_multiverse(const std::vector<Study>& parts, const RunRequest& request);
 
 }  // namespace ikbench::experiments

@@ -1,7 +1,7 @@
 # cmake -DROOT=... -DSHARED="file;..." -DSOLVERS="name;..." -DOUTPUT=... -P source_digests.cmake
 # Writes digests of the sources that decide numbers, for environment.cpp to include: one of the SHARED files together,
-# one of each solver's own. A digest is of the tokens alone: neither comments nor white space change it. Where no digest
-# changed the output is not touched, so that nothing is compiled anew.
+# one of each solver's own. A digest is made of the tokens only: neither comments nor white space change it. If no digest
+# changed, the output is not touched, so that nothing is compiled again.
 string(ASCII 1 backslash)
 string(ASCII 2 semicolon)
 string(ASCII 3 opening)

@@ -45,8 +45,8 @@ std::unique_ptr<ChildProcess> restarted(const Program& program) {
 // Throws ProcessFailure if the process ended, or sent a second message. A program that answers twice would stay one
 // answer behind, each answer that of the solve before. A new process gets 0.1 s for such a message.
 void refuse_unsolicited_message(ChildProcess& child, bool is_new) {
-  const ProcessFailure heard = unsolicited_message(child, is_new ? 0.1 : 0);
-  if (heard.kind != ProcessFailure::Kind::timed_out) throw ProcessFailure(heard);
+  const ProcessFailure failure = unsolicited_message(child, is_new ? 0.1 : 0);
+  if (failure.kind != ProcessFailure::Kind::timed_out) throw ProcessFailure(failure);
 }
 
 // Records the course of the best error as solvers::solve does.
@@ -238,7 +238,7 @@ void ExternalSolver::prepare(const Problem& problem, const Objective& objective)
           Objective uncounted(objective.arm(), objective.goal());
           exchange_solve(problem, uncounted, seed);
         });
-    } catch (const ProcessFailure& failure) {  // of no target of the study: a new process solves these
+    } catch (const ProcessFailure& failure) {  // no target of the study fails by this: a new process solves them
       if (failure.kind != ProcessFailure::Kind::declined) worker_.child.reset();
       ensure_running();
     }
@@ -319,8 +319,8 @@ void ExternalSolver::take_solved(const Message& message, Exchange& exchange) {
   best_.error = exchange.uncounted.error(best_.q);
   if (!is_batched()) report_.reported_seconds = reported_seconds_in(message, exchange.passed);
   // Without a count, the requests to evaluate are counted. The first of them evaluates the start of the search.
-  const std::int64_t own_iterations = message.count("iterations");
-  report_.iterations = own_iterations >= 0 ? own_iterations : std::max<std::int64_t>(0, report_.iterations - 1);
+  const std::int64_t reported = message.count("iterations");
+  report_.iterations = reported >= 0 ? reported : std::max<std::int64_t>(0, report_.iterations - 1);
   set_evaluations(message.count("evaluations"), exchange);
 }
 
@@ -346,8 +346,8 @@ Configuration ExternalSolver::select_answer(const Candidates& answers, const Exc
   int right = 0;
   for (const Configuration q : answers.colwise()) {
     if (!(limits.violation(q) <= 1e-9)) continue;
-    const Deviation off = exchange.objective.deviation(q);
-    if (off.position <= stop_.tolerance && (!has_direction || off.angle <= stop_.angle_tolerance)) ++right;
+    const Deviation error = exchange.objective.deviation(q);
+    if (error.position <= stop_.tolerance && (!has_direction || error.angle <= stop_.angle_tolerance)) ++right;
     const double distance = (q - exchange.problem.start).norm();
     if (distance < nearest_distance) {
       nearest = q;
@@ -367,16 +367,16 @@ bool ExternalSolver::explains_answer(const Exchange& exchange) const {
   return !is_too_good && std::ranges::count(exchange.errors, best_.error) > 0;
 }
 
-void ExternalSolver::set_evaluations(std::int64_t own, const Exchange& exchange) {
-  const std::int64_t ours = exchange.objective.evaluations();
-  if (own <= ours && explains_answer(exchange)) {
+void ExternalSolver::set_evaluations(std::int64_t reported, const Exchange& exchange) {
+  const std::int64_t counted = exchange.objective.evaluations();
+  if (reported <= counted && explains_answer(exchange)) {
     report_.counted_by = CountedBy::ikbench;
-    report_.evaluations = ours;
-    if (report_.improved.at.back() < ours) report_.improved.add(ours, exchange.best.error);
+    report_.evaluations = counted;
+    if (report_.improved.at.back() < counted) report_.improved.add(counted, exchange.best.error);
     return;
   }
-  report_.counted_by = own >= 0 ? CountedBy::solver : CountedBy::none;
-  report_.evaluations = own >= 0 ? std::max(ours, own) : 0;
+  report_.counted_by = reported >= 0 ? CountedBy::solver : CountedBy::none;
+  report_.evaluations = reported >= 0 ? std::max(counted, reported) : 0;
   report_.trace.clear();
   report_.improved = {};
 }

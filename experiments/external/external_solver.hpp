@@ -27,8 +27,9 @@ struct ProcessReport {
   double cpu_seconds = 0;  // [s], of the program
   solvers::StopReason stopped = solvers::StopReason::finished;
   bool ignored_budget = false;  // the program asked for more evaluations after it was told that its budget is used up
-  // Who counted the evaluations. Not `ikbench` if the answer is none of the candidates evaluated here, or too few were
-  // evaluated to find it: then the program has its own kinematics, and `evaluations` is its own count.
+  // The side that counted the evaluations. It is not `ikbench` if the answer is none of the candidates evaluated here,
+  // or if too few were evaluated here to find the answer. Then the program has its own kinematics, and `evaluations` is
+  // the self-reported count.
   results::CountedBy counted_by = results::CountedBy::none;
   std::int64_t evaluations = 0, iterations = 0;
   std::vector<double> trace = {};  // errors of the evaluations made here, as in Solution
@@ -135,9 +136,9 @@ class ExternalSolver final : public solvers::Searcher {
   robots::Configuration answer_in(const Message& message, const Exchange& exchange);
   robots::Configuration select_answer(const robots::Candidates& answers, const Exchange& exchange) const;
   bool explains_answer(const Exchange& exchange) const;
-  // Takes our count of evaluations if these explain the answer, otherwise the program's own, if it has one. `own` is -1
-  // if it has none.
-  void set_evaluations(std::int64_t own, const Exchange& exchange);
+  // Sets the evaluations to those counted here if these explain the answer, otherwise to the self-reported ones.
+  // `reported` is -1 if the program reports none.
+  void set_evaluations(std::int64_t reported, const Exchange& exchange);
 
   ProcessPool& pool_;
   const solvers::StopRule& stop_;

@@ -28,13 +28,13 @@ bool is_file(const fs::path& file) {
   return fs::is_regular_file(file, error);
 }
 
-// Returns the path at which a shell would find it; empty if it would not.
-fs::path executable(const std::string& word, const fs::path& folder) {
-  if (word.find('/') != std::string::npos) return folder / word;
+// Returns the path at which a shell would find a command; empty if it would find none.
+fs::path executable(const std::string& command, const fs::path& folder) {
+  if (command.find('/') != std::string::npos) return folder / command;
   const char* const path = std::getenv("PATH");
   std::istringstream places(path == nullptr ? "/usr/bin:/bin" : path);
   for (std::string place; std::getline(places, place, ':');) {
-    const fs::path file = fs::path(place) / word;
+    const fs::path file = fs::path(place) / command;
     if (is_file(file) && ::access(file.c_str(), X_OK) == 0) return file;
   }
   return {};
@@ -43,9 +43,10 @@ fs::path executable(const std::string& word, const fs::path& folder) {
 // Returns the digest of the name, the version, the executable, every argument that is a file, and the study's `files`.
 std::string digest_of(const ProgramSpec& choice, const fs::path& folder, const Hello& hello) {
   std::string text = hello.name + '\n' + hello.version + '\n';
-  for (std::size_t i = 0; i < choice.process.size(); ++i)
-    if (const fs::path file = i > 0 ? folder / choice.process[i] : executable(choice.process[0], folder); is_file(file))
-      text += file_digest(file);
+  for (std::size_t i = 0; i < choice.process.size(); ++i) {
+    const fs::path file = i > 0 ? folder / choice.process[i] : executable(choice.process[0], folder);
+    if (is_file(file)) text += file_digest(file);
+  }
   for (const std::string& name : choice.files) text += name + '\n' + file_digest(folder / name);
   return digest_of_text(text);
 }
@@ -76,8 +77,8 @@ Message read_message(ChildProcess& child, Clock::time_point deadline) {
       if (line.starts_with('{')) return Message(std::move(line));
       noise = fmt::format("; it wrote what is no message: {}", base::one_line(base::front(line, 200)));
     }
-  } catch (const ProcessFailure& trouble) {
-    throw ProcessFailure{trouble.kind, trouble.why + noise};
+  } catch (const ProcessFailure& failure) {
+    throw ProcessFailure{failure.kind, failure.why + noise};
   }
 }
 
@@ -86,29 +87,30 @@ Message send_request(ChildProcess& child, const std::string& text, Clock::time_p
   return read_message(child, deadline);
 }
 
-ProcessFailure unsolicited_message(ChildProcess& child, double patience) {
+ProcessFailure unsolicited_message(ChildProcess& child, double timeout) {
   try {
-    read_message(child, deadline_in(patience)).fail("nothing after its answer");
-  } catch (const ProcessFailure& trouble) {
-    return trouble;
+    read_message(child, deadline_in(timeout)).fail("nothing after its answer");
+  } catch (const ProcessFailure& failure) {
+    return failure;
   }
 }
 
 std::unique_ptr<ChildProcess> launch(const ProgramSpec& choice, const fs::path& folder, Hello& hello) {
-  std::vector<std::string> words = choice.process;
+  std::vector<std::string> arguments = choice.process;
   if (choice.memory_mb > 0)
-    words.insert(words.begin(),
-                 {"sh", "-c", fmt::format(R"(ulimit -v {} && exec "$0" "$@")", 1000 * choice.memory_mb)});
-  auto child = std::make_unique<ChildProcess>(words, folder, std::vector<std::string>{"LC_ALL=C", "OMP_NUM_THREADS=1"});
-  const double patience = std::max(start_timeout, choice.timeout);
+    arguments.insert(arguments.begin(),
+                     {"sh", "-c", fmt::format(R"(ulimit -v {} && exec "$0" "$@")", 1000 * choice.memory_mb)});
+  auto child =
+      std::make_unique<ChildProcess>(arguments, folder, std::vector<std::string>{"LC_ALL=C", "OMP_NUM_THREADS=1"});
+  const double timeout = std::max(start_timeout, choice.timeout);
   try {
-    hello = read_message(*child, deadline_in(patience)).hello();
-  } catch (const ProcessFailure& trouble) {
-    const std::string told = child->end_after(trouble.kind);
-    if (trouble.kind != ProcessFailure::Kind::timed_out) throw ProcessFailure{trouble.kind, trouble.why + told};
-    throw ProcessFailure{
-        trouble.kind, fmt::format("it says no hello within {:g} s ({}); a larger patience_s waits longer{}", patience,
-                                  trouble.why, told)};
+    hello = read_message(*child, deadline_in(timeout)).hello();
+  } catch (const ProcessFailure& failure) {
+    const std::string end = child->end_after(failure.kind);
+    if (failure.kind != ProcessFailure::Kind::timed_out) throw ProcessFailure{failure.kind, failure.why + end};
+    throw ProcessFailure{failure.kind,
+                         fmt::format("it says no hello within {:g} s ({}); a larger patience_s waits longer{}", timeout,
+                                     failure.why, end)};
   }
   return child;
 }
@@ -128,8 +130,8 @@ std::shared_ptr<const Program> probe(const ProgramSpec& choice, const fs::path& 
   auto program = std::make_shared<Program>(Program{.choice = choice, .folder = folder, .hello = {}, .digest = {}});
   try {
     launch(choice, folder, program->hello);
-  } catch (const ProcessFailure& trouble) {
-    throw std::invalid_argument(trouble.why);
+  } catch (const ProcessFailure& failure) {
+    throw std::invalid_argument(failure.why);
   }
   program->digest = digest_of(choice, folder, program->hello);
   return program;

@@ -30,7 +30,7 @@ class TargetSet {
   virtual void check(const Robot&) const {}
   // Returns true if every run draws its own targets, false if all runs have the same.
   virtual bool is_random() const { return false; }
-  // Returns true if a run's targets are made of the numbers that NumPy draws after those of the runs before.
+  // Returns true if a run's targets are made of the numbers that NumPy draws after the numbers of the runs before.
   virtual bool uses_numpy_random() const { return false; }
   virtual int points() const = 0;
   // Returns one pose per point. `random` belongs to the run; only random paths use it.
@@ -48,11 +48,11 @@ std::vector<Path> target_sets();
 // Reads poses from a table of any origin (base/sheet.hpp). The header names the columns, in any order and case, with
 // their units:
 // - x, y and z in m, cm or mm, of one thing ("pose.position.x", "x [mm]"); without a unit m;
-// - w, x, y, z of another (of length 1 to 1 %, then made exact); or roll, pitch, yaw in deg or rad (Rz(yaw) Ry(pitch)
-// Rx(roll)); or nothing for a tool that points straight down.
-// Stamps and the header of a message are left out, by their names. Without a header rows may also be the 12 or 16
-// numbers of a matrix, whose names are "1" to "16". `columns` replaces the names of the header; columns whose new name
-// is no part of a pose are left out.
+// - w, x, y and z of one other thing, a quaternion whose length is 1 within 1 % and is made exact; or roll, pitch and
+//   yaw in deg or rad (Rz(yaw) Ry(pitch) Rx(roll)); or nothing for a tool that points straight down.
+// Stamps and the header of a message are left out, by the names of their columns. Without a header rows may also be the
+// 12 or 16 numbers of a matrix, whose names are "1" to "16". `columns` replaces the names of the header; empty: it does
+// not. Columns whose new name is no part of a pose are left out.
 // Throws std::invalid_argument with file, line and column for anything else: a number that is not finite, lengths and
 // angles that seem to be in another unit, no row, or more than 100000 rows.
 std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file,

@@ -1,9 +1,9 @@
-// One clock for all: each solve is one timed call, and a study is done in sessions, each with all that it compares.
+// The clock: each solve is one timed call, and a study is done in sessions, each with all solvers that it compares.
 #include "tests/experiments/samples.hpp"
 
 namespace {
 
-// Writes down who was asked for which target, in the order of the calls.
+// A solver that notes its calls: which label was asked for which target, in the order of the calls.
 struct Calls {
   static inline std::vector<std::pair<std::string, double>> all;  // name and the target's x [m]
 };
@@ -36,7 +36,7 @@ SolverEntry recorded() {
   return {.label = info.name, .solver = info.name, .custom = std::make_shared<SolverInfo>(info)};
 }
 
-// Targets of a circle, each from the initial configuration.
+// Returns a study with targets of a circle, each from the initial configuration.
 Study study_of_calls(int points) {
   Study study =
       read(fmt::format("search = 'all_joints'\nstart = 'initial'\nruns = 1\npath = {{ kind = 'circle', points = {} }}\n"
@@ -47,7 +47,7 @@ Study study_of_calls(int points) {
   return study;
 }
 
-// By session, the places of each label.
+// Returns by session the places of each label.
 std::map<std::int64_t, std::map<std::string, std::set<std::pair<int, int>>>> places_in(const Store& store,
                                                                                        const Study& study) {
   std::map<std::int64_t, std::map<std::string, std::set<std::pair<int, int>>>> all;

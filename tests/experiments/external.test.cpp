@@ -12,7 +12,7 @@ void stay_on_one_processor() {
   ::sched_setaffinity(0, sizeof(one), &one);
 }
 
-// From here on every other process that wants the processor of this thread gets it, also those that it starts.
+// Lets every other process have the processor of this thread, also processes that this thread starts.
 void give_way() {
   const sched_param none{};
   ::sched_setscheduler(0, SCHED_IDLE | SCHED_RESET_ON_FORK, &none);

@@ -4,7 +4,7 @@ namespace {
 
 const Overrides tiny{"runs=2", "path.points=2", "stop.iterations=2", "population=6"};
 
-// Each answer but the first contradicts the setting `except`.
+// Each alternative but the first contradicts the setting `except`.
 Dimension dimension(const std::string& name, const std::vector<std::string>& answers, const std::string& except = "") {
   Dimension one;
   for (const std::string& answer : answers)
@@ -89,7 +89,7 @@ TEST_CASE("the series of a reading are solved with what its settings say, defaul
 }
 
 TEST_CASE("the parts of a plan have the means of their runs, by any number of jobs; cancelled, none", "[multiverse]") {
-  // One search stands for several wrists only where no limit and no wrap changes where the next one starts.
+  // One search stands for several wrists only if no limit and no wrap changes where the next solve starts.
   const std::string set = GENERATE("limits=recorded", "limits=enforced", "wrap=into_limits");
   const Overrides few{set, "runs=3", "path.points=3", "stop.iterations=6", "population=6"};
   const auto parts = plan_multiverse("slim2023", {branch}, 1, few).parts;

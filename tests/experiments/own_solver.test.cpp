@@ -1,5 +1,5 @@
-// A C++ class as a solver that does not do what a solver has to do: what comes of it is a row that every reader takes,
-// or the run ends with its label, run and point.
+// A user's class as a solver that breaks the rules of solvers. The result is a row that every reader takes, or the run
+// ends with label, run and point of the solve.
 #include <cfenv>
 
 #include "analysis/judge/judge.hpp"
@@ -10,7 +10,8 @@
 
 namespace {
 
-// Of the second and third target it does `fault` where it is asked for, notes under that name, and may ask nothing.
+// A solver with a fault. For the second and third target it does `fault` at the given place, and notes a number with
+// the given name. It may evaluate nothing.
 class Faulty final : public Solver {
  public:
   struct Options {
@@ -48,7 +49,7 @@ class Faulty final : public Solver {
   bool is_faulty_ = false;
 };
 
-// Four solves of it.
+// Returns a study with four solves of the faulty solver.
 Study study_of_faulty(const std::string& search) {
   Study study = read("search = '" + search +
                      "'\nstart = 'initial'\nruns = 1\nturns = 1\npath = { kind = 'circle', points = 4 }\n"
@@ -60,7 +61,7 @@ Study study_of_faulty(const std::string& search) {
   return study;
 }
 
-// What the run says of a fault; its type has to be `Exception`. One solve is stored.
+// Returns what the run says of a fault, which must be of the type `Exception`. One solve is stored.
 template <class Exception>
 std::string statements_of(const std::string& place, const std::function<void(Best&)>& fault,
                           const std::string& search = "all_joints") {
@@ -76,7 +77,7 @@ std::string statements_of(const std::string& place, const std::function<void(Bes
   return said;
 }
 
-// Every reader takes a store's solves: the check of its rows, a merge, an export, a report.
+// Checks that every reader takes the solves of a store: the check of rows, a merge, an export, a report.
 void check_that_all_read(const StoredStudy& study, const Store& store, const std::filesystem::path& folder) {
   const std::vector<SolveRecord> solves = store.solves(study.name);
   CHECK(complaint<std::invalid_argument>([&] { std::ranges::for_each(solves, stored_solve_check(study)); }) == "");
@@ -174,7 +175,7 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
   }
 }
 
-// Also what a clock that jumps could tell, or another program.
+// Also numbers that a clock could give that jumps, or another program.
 TEST_CASE("of records with any odd number, every reader takes what may be written", "[own_solver]") {
   Study study = study_of_faulty("pose");
   study.runs = 1000;

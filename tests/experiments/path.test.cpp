@@ -12,7 +12,7 @@ bool same_poses(const std::vector<Pose>& a, const std::vector<Pose>& b) {
   return std::ranges::equal(a, b, [](const Pose& x, const Pose& y) { return x.matrix() == y.matrix(); });
 }
 
-// A path of every kind, with `count` points.
+// Returns a path of every kind, with `count` points.
 std::vector<Path> with_points(int count) {
   const ScratchFolder folder;
   std::string csv = "x_m,y_m,z_m\n";

@@ -1,5 +1,6 @@
-// The readings of the paper's helix that the arm can follow at all: docs/papers/slim2023-notes.md 2.2. With the wrist
-// decoupled, the shoulder (0, 0, 36) cm must be within 42 + 40 = 82 cm of the wrist's centre, 12.6 cm behind the tool.
+// The interpretations of the paper's helix that the arm can follow at all: docs/papers/slim2023-notes.md 2.2. With the
+// wrist decoupled, the shoulder (0, 0, 36) cm must be within 42 + 40 = 82 cm of the wrist's centre, 12.6 cm behind the
+// tool.
 #include "tests/experiments/samples.hpp"
 
 namespace {
@@ -10,7 +11,7 @@ Study with_path(const Path& path) {
   return study;
 }
 
-// Largest shoulder-to-wrist distance along the path [cm], from the lengths alone.
+// Returns the largest distance [cm] from shoulder to wrist along the path, computed from lengths only.
 double largest_distance_cm(const Path& path) {
   double largest = 0;
   for (const Pose& target : poses_of(path)) {

@@ -3,7 +3,7 @@
 
 namespace {
 
-// Runs until `solves` more are done, then stops as Ctrl-C does.
+// Runs a study until `solves` more are done, then stops as Ctrl-C does.
 Progress run_for(const Study& study, Store& store, std::int64_t solves) {
   std::atomic<bool> cancelled{false};
   const auto look = [&](const Progress& now) { cancelled = now.done - now.reused >= solves; };
@@ -43,7 +43,7 @@ TEST_CASE("adding, removing and reordering solvers changes no other solver's num
   const std::vector<SolveRecord> others = solve_all(study);
   CHECK(same_numbers(only("DE", others), only("DE", three)));
   CHECK(same_numbers(only("IK-BA", others), only("IK-BA", three)));
-  // Another label is another stream.
+  // Another label has other random numbers.
   CHECK(only("new", others).back().answer_rad != only("IK-BA", others).back().answer_rad);
 }
 

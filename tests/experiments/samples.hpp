@@ -29,7 +29,7 @@ using namespace ikbench::experiments;
 
 namespace ikbench {
 
-// What a text lacks to be a study, as by --set: an arm and a kind of path.
+// Returns overrides that add to a text what a study needs: an arm and a kind of path.
 inline experiments::Overrides completed(const std::string& toml, const experiments::Overrides& overrides = {}) {
   experiments::Overrides all;
   if (!contains(toml, "robot")) all.emplace_back("robot=kuka_iiwa14");
@@ -41,19 +41,19 @@ inline experiments::Overrides completed(const std::string& toml, const experimen
 inline experiments::Study read(const std::string& toml, const experiments::Overrides& overrides = {}) {
   return experiments::parse_study(toml, "my.toml", completed(toml, overrides));
 }
-// The complaint about a file, or "" if it is a study.
+// Returns the complaint about a text; empty if the text is a study.
 inline std::string statements_of(const std::string& toml, const experiments::Overrides& overrides = {}) {
   return complaint<std::invalid_argument>([&] { read(toml, overrides); });
 }
 
-// The default path with settings, as by --set: path_of({"kind=circle", "points=4"}).
+// Returns the default path with settings, as path_of({"kind=circle", "points=4"}).
 inline experiments::Path path_of(const std::vector<std::string>& settings) {
   experiments::Overrides overrides;
   for (const std::string& setting : settings) overrides.push_back("path." + setting);
   return read("[[solvers]]\nsolver = \"ik_bat\"\n", overrides).path;
 }
 
-// A path of these poses, of any numbers.
+// A path of given poses, of any numbers.
 class PathThrough final : public experiments::TargetSet {
  public:
   explicit PathThrough(std::vector<robots::Pose> poses) : poses_(std::move(poses)) {}
@@ -70,14 +70,14 @@ inline experiments::Path path_through(std::vector<robots::Pose> poses) {
   return std::make_shared<PathThrough>(std::move(poses));
 }
 
-// Its poses in the first run with seed 1, with the paper's arm.
+// Returns the poses of a path in the first run with seed 1, with the paper's arm.
 inline std::vector<robots::Pose> poses_of(const experiments::Path& path) {
   experiments::Study study;
   study.path = path;
   return experiments::targets_of_run(study, 1);
 }
 
-// Two runs of three solvers over four points of the paper's helix: 24 solves.
+// Returns a study with two runs of three solvers over four points of the paper's helix: 24 solves.
 inline experiments::Study small_study() {
   experiments::Study study;
   study.name = "small";
@@ -90,7 +90,7 @@ inline experiments::Study small_study() {
   return study;
 }
 
-// A solve without the values that differ between runs of the program.
+// Returns a solve without the values that differ between sessions.
 inline results::SolveRecord without_times(results::SolveRecord record) {
   record.seconds = record.wall_seconds = record.cpu_seconds = 0;
   record.batch_size = 1;
@@ -105,7 +105,7 @@ inline bool same_numbers(const std::vector<results::SolveRecord>& a, const std::
          });
 }
 
-// The solves of a study that is run into a store of its own.
+// Returns the solves of a study that is run into a store of its own.
 inline std::vector<results::SolveRecord> solve_all(const experiments::Study& study, int jobs = 1) {
   ScratchStore store;
   experiments::run(study, store, {.jobs = jobs});

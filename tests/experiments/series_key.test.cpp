@@ -5,7 +5,7 @@ namespace {
 
 std::string key_of(const Study& study) { return series_key(study, study.solvers.front()); }
 
-// The small study with one thing changed.
+// Returns the small study with one change.
 template <class Change>
 Study changed(Change&& change) {
   Study study = small_study();
@@ -13,7 +13,7 @@ Study changed(Change&& change) {
   return study;
 }
 
-// Changes the field at one place of a list.
+// A visitor that changes the field at one place of a list.
 class Changer final : public Fields {
  public:
   explicit Changer(int place) : left_(place) {}
@@ -148,7 +148,7 @@ TEST_CASE("a default that is written down is the same series", "[series]") {
   const Study written = changed([](Study& study) { study.solvers[0].options["alpha"] = 0.97; });  // Table 1
   CHECK(key_of(written) == key_of(small_study()));
   CHECK(key_of(changed([](Study& study) { study.solvers[0].population = study.population; })) == key_of(small_study()));
-  // The same for the solver's own default of bounds.
+  // A solver's own default of bounds counts, too.
   CHECK(key_of(changed([](Study& study) { study.bounds = BoundsPolicy::initial; })) == key_of(small_study()));
 }
 

@@ -1,4 +1,4 @@
-// What a stranger gives, with random changes: a study, a message, a store, a folder of results. Each is read, or a
+// Inputs of strangers, with random changes: a study, a message, a store, a folder of results. Each is read, or a
 // std::invalid_argument says why not.
 #include "analysis/judge/data/study_results.hpp"
 #include "analysis/show/publish.hpp"

@@ -1,4 +1,4 @@
-// wrap: answers turned by whole turns.
+// The key `wrap`: answers turned by whole turns.
 #include "tests/experiments/samples.hpp"
 
 namespace {

@@ -229,7 +229,7 @@ class CsvPath final : public Poses {
   std::string_view name() const override { return "csv"; }
   std::string_view summary() const override { return "poses from a CSV file: x_cm, y_cm, z_cm, qw, qx, qy, qz"; }
 
-  // The key has the poses, so the file's name does not matter.
+  // The key of a series has the poses, so the file's name does not enter the key.
   void list_fields(Fields& io) override {
     io.text(
         "file", file_,
@@ -241,7 +241,7 @@ class CsvPath final : public Poses {
              InKey::no);
   }
 
-  // Throws if lengths in cm or mm seem to be taken for metres.
+  // Throws std::invalid_argument if lengths in cm or mm seem to be taken for metres.
   void check(const Robot& arm) const override {
     const Chain::Ball reach = arm.chain.reach();
     std::vector<double> distances;  // in multiples of the reach
