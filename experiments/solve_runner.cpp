@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -53,7 +54,7 @@ class SolveContext {
   }
 
  private:
-  // Ends the process with an error, since a run that has not ended must not look as if all were well.
+  // Ends the process with an error, because a run that was cut must not look like a run that ended well.
   static void refuse_to_exit() {
     if (current == nullptr) return;
     const std::string message = one_line(current->message("the solver ends the program (exit)"));
@@ -73,6 +74,19 @@ Timing timing_of(const SolverEntry& entry, int jobs) {
   if (is_debug_build()) return Timing::debug_build;
   if (jobs > 1) return Timing::parallel;
   return entry.program ? Timing::process : Timing::clean;
+}
+
+// Returns why a solve ended. A program that ends by itself may have been told that its budget is used up.
+StopReason stop_reason_of(const Solution& solution, const std::optional<ProcessReport>& report) {
+  if (!report) return solution.stopped;
+  if (report->failure) return *report->failure == Status::timed_out ? StopReason::time : StopReason::finished;
+  return solution.stopped == StopReason::finished ? report->stopped : solution.stopped;
+}
+
+// Returns the side that counted the evaluations of a solve. `is_counted` is about a solver in this process.
+CountedBy counted_by_of(const std::optional<ProcessReport>& report, bool is_counted) {
+  if (report) return report->counted_by;
+  return is_counted ? CountedBy::ikbench : CountedBy::none;
 }
 
 }  // namespace
@@ -209,12 +223,7 @@ void SolveRunner::count_rerun(Solver& solver, const SolveRequest& call, const Ti
 SolveRecord SolveRunner::make_record(const SolveRequest& call, const TimedSolve& made, Status status,
                                      const Configuration& answer, const Verification& verified) const {
   const Solution& solution = made.solution;
-  const ProcessReport* const account = made.report ? &*made.report : nullptr;
-  StopReason stopped = solution.stopped;
-  if (account != nullptr && account->failure)
-    stopped = *account->failure == Status::timed_out ? StopReason::time : StopReason::finished;
-  else if (account != nullptr && stopped == StopReason::finished)
-    stopped = account->stopped;
+  const ProcessReport* const report = made.report ? &*made.report : nullptr;
   const bool is_counted = is_counted_ && solution.evaluations > 0;  // a solver that never asks has its own kinematics
   SolveRecord record{
       .study = study_.name,
@@ -229,30 +238,28 @@ SolveRecord SolveRunner::make_record(const SolveRequest& call, const TimedSolve&
       .answer_rad = to_vector(answer),
       .reached_position_m = to_vector(verified.reached),
       .position_error_cm = verified.position_error / centimetre,
-      .reported_error_cm = (account != nullptr ? account->reported_error : solution.position_error) / centimetre,
+      .reported_error_cm = (report != nullptr ? report->reported_error : solution.position_error) / centimetre,
       .orientation_error = verified.orientation_error,
       .variation_deg = verified.joint_motion / degree,
       .largest_move_deg = verified.largest_move / degree,
       .limit_violation_deg = verified.limit_violation / degree,
       .evaluations = is_counted ? solution.evaluations : 0,
       .iterations = solution.iterations,
-      .stop_reason = stopped,
+      .stop_reason = stop_reason_of(solution, made.report),
       .status = status,
-      .seconds = account != nullptr ? credible_report(*account).value_or(made.seconds) : made.seconds,
+      .seconds = report != nullptr ? credible_report(*report).value_or(made.seconds) : made.seconds,
       .wall_seconds = made.seconds,
       .cpu_seconds = made.cpu_seconds,
       .timing = timing_,
-      .batch_size = account != nullptr ? account->batch_size : 1,
+      .batch_size = report != nullptr ? report->batch_size : 1,
       .variation_m = verified.joint_motion_m,
       .limit_violation_m = verified.limit_violation_m,
-      .counted_by = account != nullptr ? account->counted_by
-                    : is_counted       ? CountedBy::ikbench
-                                       : CountedBy::none,
+      .counted_by = counted_by_of(made.report, is_counted),
       .restarts = solution.restarts,
       .extras = made.extras};
-  if (arm_stays(status) && account != nullptr &&
-      !account->failure)  // otherwise the answer of the program would be lost
+  if (arm_stays(status) && report != nullptr && !report->failure) {  // otherwise the program's answer would be lost
     for (int j = 0; j < arm_.joints(); ++j) record.extras[fmt::format("{}{}", refused_prefix, j + 1)] = made.answer[j];
+  }
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   if (is_counted) {
     record.improved_at.assign(solution.improved.at.begin(), solution.improved.at.end());
