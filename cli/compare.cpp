@@ -190,9 +190,9 @@ std::string verdict_text(const RegressionCheck& check, const show::ReportModel& 
   if (!also_better.empty()) others.push_back("better in " + show::listed(also_better));
   const char* const why = check.options.metrics.empty() ? "Not in the plan" : "Not asked for";
   if (!others.empty()) text += fmt::format(" {}: {}.", why, fmt::join(others, "; "));
-  const std::vector<show::HeadlineQuestion> questions = show::headline_questions(answer);
+  const JudgedMetric& last_asked = answer.metrics[answer.questions.back().metric];
   const bool is_time_tie_breaker =
-      questions.size() > 1 && questions.back().metric->samples.quantity_kind == QuantityKind::time;
+      answer.questions.size() > 1 && last_asked.samples.quantity_kind == QuantityKind::time;
   if (check.label.empty() && !check.counts_times() && is_time_tie_breaker)
     text += " Times decide nothing here. " + show::tie_breaker_sentence(answer);
   return text;
@@ -236,7 +236,7 @@ std::string identical_text(const std::vector<RegressionCheck>& checks) {
 }
 
 show::ReportModel make_report_model(const RegressionCheck& check) {
-  show::ReportModel answer = show::answer_of(check.judged);
+  show::ReportModel answer = show::make_report_model(check.judged);
   answer.verdict = verdict_text(check, answer);
   return answer;
 }

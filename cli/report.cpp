@@ -52,7 +52,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
     names.push_back(entry.name);
     arms.push_back(judged.study.definition.robot);
     folders.push_back(std::filesystem::path(file).parent_path().filename());
-    studies.push_back(show::answer_of(judged));
+    studies.push_back(show::make_report_model(judged));
   }
   show::Table table = show::studies_table(studies, distinct_names(names, arms, folders, files));
   const auto unit = &show::Column::unit;

@@ -158,7 +158,7 @@ std::vector<std::string> further_warnings(const papers::Repeated& repeated, cons
   for (const judge::Warning& warning : own.all_warnings()) own_texts.push_back(warning_text(warning));
   show::NamesByPhrase warnings;
   for (const judge::JudgedStudy& companion : repeated.studies.subspan(1))
-    for (const judge::Warning& warning : show::answer_of(companion).all_warnings())
+    for (const judge::Warning& warning : show::make_report_model(companion).all_warnings())
       if (std::ranges::count(own_texts, warning_text(warning)) == 0)
         warnings.add(warning_text(warning), companion.study.name);
   return warnings.formatted("{1}: {0}.");

@@ -78,7 +78,7 @@ show::Report judge_file(const StatsArguments& arguments, FigureStyle& style) {
     style = look.style;
   }
   const std::string direction = direction_text(metrics);
-  reported.answer = show::answer_of(std::move(metrics));
+  reported.answer = show::make_report_model(std::move(metrics));
   reported.answer.direction = direction;
   if (reported.answer.primary().samples.is_paired) reported.answer.noun = "blocks";
   reported.study.name = std::filesystem::path(source).filename().string();

@@ -100,10 +100,8 @@ std::string methods_paragraph(const Report& report, const std::string& program) 
 std::vector<std::string> results_sentences(const ReportModel& answer) {
   std::vector<std::string> sentences{headline(answer)};
   const bool are_two = answer.primary().descriptives.size() == 2;
-  const std::vector<HeadlineQuestion> questions = headline_questions(answer);
   for (const JudgedMetric& judged : answer.metrics) {
-    if (!judged.comparisons.empty() &&
-        (are_two || std::ranges::count(questions, &judged, &HeadlineQuestion::metric) > 0))
+    if (!judged.comparisons.empty() && (are_two || answer.is_in_headline(judged)))
       sentences.push_back(pairs_of(answer, judged));
   }
   if (const std::string decides = ranking_note(answer); !decides.empty()) sentences.push_back(decides + '.');

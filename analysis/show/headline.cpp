@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <set>
 #include <string_view>
 
@@ -17,425 +16,402 @@
 namespace ikbench::show {
 
 using namespace judge;
-using What = Statement::StatementKind;
+using Kind = Statement::StatementKind;
 using Names = std::vector<std::string>;
 
 namespace {
 
-bool has(const Names& names, const std::string& name) { return std::ranges::count(names, name) > 0; }
+// The words of a second question.
+struct TieBreakerWords {
+  std::string_view tie_breaker;        // in a plan
+  std::string_view is_best, are_best;  // of one solver, of several
+  std::string_view be_better;
+  std::string_view takes, take;  // of one solver, of several
+  std::string_view as;           // follows a ratio
+};
+constexpr std::array words_of_tie_breakers{TieBreakerWords{.tie_breaker = "time",
+                                                           .is_best = "is the fastest",
+                                                           .are_best = "are the fastest",
+                                                           .be_better = "be faster",
+                                                           .takes = "takes",
+                                                           .take = "take",
+                                                           .as = "as long"},
+                                           TieBreakerWords{.tie_breaker = "evaluations",
+                                                           .is_best = "needs the fewest evaluations",
+                                                           .are_best = "need the fewest evaluations",
+                                                           .be_better = "need fewer evaluations",
+                                                           .takes = "takes",
+                                                           .take = "take",
+                                                           .as = "as many"},
+                                           TieBreakerWords{.tie_breaker = "motion",
+                                                           .is_best = "moves the joints least",
+                                                           .are_best = "move the joints least",
+                                                           .be_better = "move the joints less",
+                                                           .takes = "moves them",
+                                                           .take = "move them",
+                                                           .as = "as far"}};
 
 bool is_solved(const JudgedMetric& judged) { return judged.samples.quantity_kind == QuantityKind::solved; }
 
-// The findings among some, by pair.
-class Pairs {
- public:
-  Pairs(const JudgedMetric& judged, const Names& names) {
-    const std::set<std::string_view> among(names.begin(), names.end());
-    for (const Comparison& comparison : judged.comparisons) {
-      if (!among.contains(comparison.first) || !among.contains(comparison.second)) continue;
-      all_[{comparison.first, comparison.second}] = all_[{comparison.second, comparison.first}] = &comparison;
-      for (const std::string* const name : {&comparison.first, &comparison.second})
-        tested_[*name] += verdict_of(comparison) != Verdict::not_tested;
-      if (is_difference(verdict_of(comparison))) losers_.merge(beaten_solvers({comparison}));
-    }
+std::string is_or_are(const Names& solvers) { return solvers.size() == 1 ? "is" : "are"; }
+
+// Returns why no number of a pair is comparable, by the metric's warnings.
+std::string not_comparable_text(const JudgedMetric& judged, std::string reason) {
+  for (const Warning& warning : judged.samples.warnings) {
+    if (warning.kind == WarningKind::times_not_comparable) reason = warning.detail;
+    if (warning.kind == WarningKind::time_limit_decides) reason = "stopped by the time limit";
   }
-
-  bool is_any() const { return !all_.empty(); }
-  bool is_loser(const std::string& name) const { return losers_.contains(name); }
-  int tested(const std::string& name) const { return tested_.contains(name) ? tested_.at(name) : 0; }
-  const Comparison* finding(std::string_view one, std::string_view other) const {
-    const auto found = all_.find({one, other});
-    return found == all_.end() ? nullptr : found->second;
-  }
-  Verdict of(std::string_view one, std::string_view other) const {
-    const Comparison* const its = finding(one, other);
-    if (its == nullptr) return Verdict::not_tested;
-    return its->first == one ? verdict_of(*its) : reversed(verdict_of(*its));
-  }
-
- private:
-  std::map<std::pair<std::string_view, std::string_view>, const Comparison*> all_ = {};
-  std::map<std::string_view, int> tested_ = {};
-  std::set<std::string> losers_ = {};
-};
-
-bool is_little(const Comparison* comparison) {
-  const auto* const tested = comparison ? std::get_if<TestResult>(&comparison->result) : nullptr;
-  return tested && is_difference(tested->verdict) && tested->is_below_margin;
+  return reason;
 }
 
-bool are_alike(const Comparison* comparison) {
-  return comparison && (verdict_of(*comparison) == Verdict::equivalent || all_values_equal(*comparison));
-}
-
-// Of each of some and each of the others.
-bool all_pairs(const Names& some, const Names& others, auto is_so) {
-  return std::ranges::all_of(some, [&](const std::string& one) {
-    return std::ranges::all_of(others, [&](const std::string& other) { return one == other || is_so(one, other); });
-  });
-}
-
-Names who_of(const Names& names, auto is_so) {
-  Names who;
-  std::ranges::copy_if(names, std::back_inserter(who), is_so);
-  return who;
-}
-
-// Of the unbeaten the one that is tested most, which the others are held against; empty if all are beaten.
-std::string leader_of(const Pairs& pairs, const Names& among) {
-  const Names unbeaten = who_of(among, [&](auto& name) { return !pairs.is_loser(name); });
-  const auto leader = std::ranges::max_element(unbeaten, {}, [&](auto& name) { return pairs.tested(name); });
-  return leader == unbeaten.end() ? "" : *leader;
-}
-
-// How the second question is told.
-struct Words {
-  std::string_view then;                // in a plan
-  std::string_view metric, per_solved;  // which stands in its place where a target failed
-  std::string_view is, are, than, takes, take, as;
-};
-constexpr std::array all_words{
-    Words{"time", "time", "time-per-solved", "is the fastest", "are the fastest", "be faster", "takes", "take",
-          "as long"},
-    Words{"evaluations", "evaluations", "evaluations-per-solved", "needs the fewest evaluations",
-          "need the fewest evaluations", "need fewer evaluations", "takes", "take", "as many"},
-    Words{"motion", "variation", "slide-variation", "moves the joints least", "move the joints least",
-          "move the joints less", "moves them", "move them", "as far"}};
-
-// Null if the answer lacks it.
-const JudgedMetric* metric_of(const ReportModel& answer, const Words& words) {
-  const auto found = std::ranges::find_if(answer.metrics, [&](const JudgedMetric& judged) {
-    return judged.samples.metric == words.metric || judged.samples.metric == words.per_solved;
-  });
-  return found == answer.metrics.end() || &*found == &answer.primary() ? nullptr : &*found;
-}
-
-// Why pairs of these are not tested, if all have one reason: " (8 runs are too few, 10 are needed)", " (the machine was
-// busy)".
-std::string why_not(const ReportModel& answer, const JudgedMetric& judged, const Names& who) {
+// Returns why pairs of these solvers are not tested: " (8 runs are too few, 10 are needed)", " (the machine was busy)".
+// Empty if they have several reasons.
+std::string not_tested_text(const ReportModel& answer, const JudgedMetric& judged, const Names& solvers) {
   std::set<std::string> reasons;
-  const std::set<std::string_view> named(who.begin(), who.end());
+  const std::set<std::string_view> names(solvers.begin(), solvers.end());
   for (const Comparison& comparison : judged.comparisons) {
-    const auto* const open = std::get_if<NotTested>(&comparison.result);
-    if (!open || (!named.contains(comparison.first) && !named.contains(comparison.second))) continue;
-    std::string reason = reason_text(*open, observation_noun(answer, judged));
-    for (const Warning& warning : judged.samples.warnings) {
-      if (open->reason == NotTestedReason::not_comparable && warning.kind == WarningKind::times_not_comparable)
-        reason = warning.detail;
-      if (open->reason == NotTestedReason::not_comparable && warning.kind == WarningKind::time_limit_decides)
-        reason = "stopped by the time limit";
-    }
+    const auto* const not_tested = std::get_if<NotTested>(&comparison.result);
+    if (!not_tested || (!names.contains(comparison.first) && !names.contains(comparison.second))) continue;
+    std::string reason = reason_text(*not_tested, observation_noun(answer, judged));
+    if (not_tested->reason == NotTestedReason::not_comparable) reason = not_comparable_text(judged, std::move(reason));
     reasons.insert(std::move(reason));
   }
   return reasons.size() == 1 ? fmt::format(" ({})", *reasons.begin()) : "";
 }
 
-std::string is_or_are(const Names& who) { return who.size() == 1 ? "is" : "are"; }
+// The solvers of a second question by how they stand.
+struct Ranking {
+  Names best, losers, untested;
+};
 
-// The sentence of the deciding metric.
-class First {
- public:
-  explicit First(const ReportModel& answer) : answer_(answer), judged_(answer.primary()) {}
-
-  std::string told(const std::vector<Statement>& said) {
-    std::string text = is_nothing_solved() ? "No target was solved. " : "";
-    const bool is_control = said.front().against == Names{judged_.plan.control} && answer_.order.size() > 2;
-    if (is_control) text += fmt::format("Against {}: ", with_numbers(said.front().against));
-    for (const Statement& fact : said) {
-      if (&fact != &said.front()) text += "; ";
-      text += is_control ? fmt::format("{} {}{}", with_numbers(fact.solvers), word(fact), little(fact)) : phrase(fact);
+Ranking ranking_of(const std::vector<Statement>& statements) {
+  Ranking ranking;
+  const auto append = [](Names& names, const Names& more) { names.insert(names.end(), more.begin(), more.end()); };
+  for (const Statement& statement : statements) {
+    switch (statement.kind) {
+      case Kind::not_tested:
+        append(ranking.untested, statement.solvers);
+        break;
+      case Kind::worse:
+        append(ranking.losers, statement.solvers);
+        break;
+      case Kind::best:
+        append(ranking.best, statement.solvers);
+        ranking.losers = statement.against;
+        break;
+      case Kind::no_comparison:
+      case Kind::equivalent:
+      case Kind::inconclusive:
+      case Kind::none_better:
+      case Kind::better:
+      case Kind::cyclic:
+        append(ranking.best, statement.solvers);
+        break;
     }
-    return text;
+  }
+  return ranking;
+}
+
+using Ratios = std::vector<std::pair<std::string, double>>;  // by solver
+
+// Returns "; B takes 3 times as long, C 4 times"; of many solvers "; 6 others take 2 to 10 times as long".
+std::string ratios_text(const Ratios& ratios, const TieBreakerWords& words, const std::string& reference) {
+  if (ratios.empty()) return "";
+  if (ratios.size() < most_named) {
+    Names texts;
+    for (const auto& [name, ratio] : ratios)
+      texts.push_back(
+          fmt::format("{} {}{}", name, texts.empty() ? fmt::format("{} ", words.takes) : "", ratio_text(ratio)));
+    return fmt::format("; {} {}{}", fmt::join(texts, ", "), words.as, reference);
+  }
+  const auto [smallest, largest] = std::ranges::minmax(ratios, {}, &Ratios::value_type::second);
+  const bool are_equal = ratio_text(smallest.second) == ratio_text(largest.second);
+  const std::string from = are_equal ? "" : number_text(smallest.second, 2) + " to ";
+  return fmt::format("; {} others {} {}{} {}{}", ratios.size(), words.take, from, ratio_text(largest.second), words.as,
+                     reference);
+}
+
+// Tells the statements of one question. The first number that a teller writes has its quantity and unit, later ones
+// have not: a teller writes one sentence.
+class QuestionTeller {
+ public:
+  QuestionTeller(const ReportModel& model, const HeadlineQuestion& question)
+      : model_(model),
+        question_(question),
+        judged_(model.metrics[question.metric]),
+        pairs_(judged_, question.solvers) {}
+
+  // Returns the sentence of a first question, with the solvers' numbers.
+  std::string primary_sentence() {
+    std::string text = is_nothing_solved() ? "No target was solved. " : "";
+    const std::vector<Statement>& statements = question_.statements;
+    const Names& control = statements.front().against;
+    const bool is_against_control = control == Names{judged_.plan.control} && model_.order.size() > 2;
+    if (is_against_control) text += fmt::format("Against {}: ", with_numbers(control));
+    for (const Statement& statement : statements) {
+      if (&statement != &statements.front()) text += "; ";
+      text += is_against_control ? control_clause(statement) : clause(statement);
+    }
+    return text + '.';
+  }
+
+  // Returns the sentence of a second question, with ratios to the solver that beats most of the others.
+  std::string tie_breaker_sentence() const {
+    const Ranking ranking = ranking_of(question_.statements);
+    std::string text;
+    for (const std::size_t metric : question_.untested) text += not_judged_sentence(model_.metrics[metric]);
+    text += ranking.losers.empty() ? no_difference_clause(ranking) : difference_clause(ranking);
+    if (!ranking.untested.empty())
+      text += fmt::format("; {} {} not judged{}", names_of(ranking.untested), is_or_are(ranking.untested),
+                          not_tested_text(model_, judged_, ranking.untested));
+    return text + '.';
   }
 
  private:
-  const ReportModel& answer_;
+  const ReportModel& model_;
+  const HeadlineQuestion& question_;
   const JudgedMetric& judged_;
-  std::string first_ = {};  // whose number was told first, with its unit
+  const PairIndex pairs_;
+  std::string first_named_ = {};  // the solver with the first number; empty: none yet
 
-  bool is_nothing_solved() const {
-    return std::ranges::any_of(answer_.metrics, [&](const JudgedMetric& judged) {
-      return &judged != &judged_ && is_solved(judged) &&
-             std::ranges::all_of(judged.descriptives, [](const Descriptives& its) { return its.mean == 0; });
-    });
-  }
-  const Descriptives& described(const std::string& name) const {
+  // What both sentences say.
+
+  std::string same_within_margin() const { return "the same within " + margin_text(judged_); }
+  std::string below_margin(bool is_so) const { return is_so ? ", by less than " + margin_text(judged_) : ""; }
+
+  // The numbers of a first question.
+
+  const Descriptives& descriptives_of(const std::string& name) const {
     return judged_.descriptives[index_of(judged_.samples, name)];
   }
-  std::string little(const Statement& fact) const {
-    return fact.is_below_margin ? ", by less than " + margin_text(judged_) : "";
+  bool is_nothing_solved() const {
+    return std::ranges::any_of(model_.metrics, [&](const JudgedMetric& other) {
+      return &other != &judged_ && is_solved(other) &&
+             std::ranges::all_of(other.descriptives, [](const Descriptives& shares) { return shares.mean == 0; });
+    });
+  }
+  std::string within() const { return is_solved(judged_) ? model_.within : ""; }
+  bool are_counts() const { return is_success_rate(judged_) && trials_per_value(judged_.samples) == 1; }
+
+  std::string quantity() const {
+    const std::string& name = judged_.samples.quantity;
+    if (is_success_rate(judged_) || is_log_scale(judged_.samples)) return name;
+    return (judged_.plan.test == results::AnalysisPlan::Test::means ? "mean " : "median ") + name;
   }
 
-  // "88", "0.42"; of the first also what it is, the whole or the unit: "solved 100 of 100 targets".
+  // Returns "88" or "0.42"; for the first solver also the quantity, and the whole or the unit: "solved 100 of 100
+  // targets".
   std::string number(const std::string& name) {
-    const bool is_first = first_.empty();
-    if (is_first) first_ = name;
+    if (first_named_.empty()) {
+      first_named_ = name;
+      return fmt::format("{} {}", quantity(), value_text(name, true));
+    }
+    return value_text(name, false);
+  }
+  std::string value_text(const std::string& name, bool is_first) const {
     const MetricSamples& samples = judged_.samples;
     const auto [value, is_bound] = displayed_average(judged_, index_of(samples, name));
-    const int n = described(name).n;
-    std::string text = with_unit((is_bound ? "at most " : "") + number_within(value, percent_boundaries(judged_)),
-                                 is_first ? samples.unit : "");
-    if (is_success_rate(judged_) && trials_per_value(samples) == 1) {
-      text = fmt::format("{:.0f}", value * n / 100);
-      if (is_first)
-        text += fmt::format(" of {}{}", base::counted(n, answer_.noun), within());
-      else if (n != described(first_).n)
-        text += fmt::format(" of {}", n);
-    }
-    if (std::isnan(value)) text = "not known";
-    return is_first ? fmt::format("{} {}", quantity(), text) : text;
+    if (std::isnan(value)) return "not known";
+    if (are_counts()) return count_text(value, name, is_first);
+    return with_unit((is_bound ? "at most " : "") + number_within(value, percent_boundaries(judged_)),
+                     is_first ? samples.unit : "");
   }
-  std::string within() const { return is_solved(judged_) ? answer_.within : ""; }
-  std::string quantity() const {
-    const bool is_mean = judged_.plan.test == results::AnalysisPlan::Test::means;
-    const char* const of = is_success_rate(judged_) || is_log_scale(judged_.samples) ? ""
-                           : is_mean                                                 ? "mean "
-                                                                                     : "median ";
-    return of + judged_.samples.quantity;
+  std::string count_text(double percent, const std::string& name, bool is_first) const {
+    const int n = descriptives_of(name).n;
+    const std::string count = fmt::format("{:.0f}", percent * n / 100);
+    if (is_first) return fmt::format("{} of {}{}", count, base::counted(n, model_.noun), within());
+    return n == descriptives_of(first_named_).n ? count : fmt::format("{} of {}", count, n);
   }
-  // "DLS (solved 100 of 100 targets)", and after it "PSO (88)".
+  // Returns "DLS (solved 100 of 100 targets)", and after it "PSO (88)".
   std::string with_numbers(Names names) {
     for (std::string& name : names) name += fmt::format(" ({})", number(name));
     return names_of(names);
   }
 
-  std::string word(const Statement& fact) const {
-    return fact.kind == What::better       ? "better"
-           : fact.kind == What::worse      ? "worse"
-           : fact.kind == What::equivalent ? "the same within " + margin_text(judged_)
-           : fact.kind == What::not_tested ? "not tested" + why_not(answer_, judged_, fact.solvers)
-                                           : "not decided";
-  }
-
-  std::string phrase(const Statement& fact) {
-    const auto& who = fact.solvers;
-    const bool is_begin = first_.empty();
-    const bool are_many = who.size() > 1, is_nearest = judged_.plan.metric.empty() && is_nothing_solved();
-    if (is_solved(judged_) && fact.against.empty() && fact.kind <= What::none_better) return counted(fact);
-    switch (fact.kind) {
-      case What::no_comparison: {
-        const std::string its = number(who.front());
-        return fmt::format("The {} of {} is{}", quantity(), who.front(), its.substr(quantity().size()));
-      }
-      case What::best: {
-        const std::string best = is_solved(judged_) && are_many ? counted(fact) : with_numbers(who);
-        const bool is_odd =
-            std::ranges::count(judged_.samples.warnings, WarningKind::ranks_disagree, &Warning::kind) > 0;
-        if (answer_.order.size() == 2)
-          return fmt::format("{} is better than {}{}{}", best, with_numbers(fact.against), is_odd ? " by ranks" : "",
-                             little(fact));
-        const char* const is = is_solved(judged_) && are_many ? ""
-                               : is_nearest                   ? (are_many ? " come nearest" : " comes nearest")
-                               : are_many                     ? " are best"
-                                                              : " is best";
-        return fmt::format("{}{}; {} {} worse{}", best, is, with_numbers(fact.against), is_or_are(fact.against),
-                           little(fact));
-      }
-      case What::equivalent:
-        return fmt::format("{} are the same within {}", with_numbers(who), margin_text(judged_));
-      case What::inconclusive:
-        return fmt::format("Not decided between {}{}", with_numbers(who),
-                           who_are_equal(who) ? ": all values are equal" : "");
-      case What::none_better:
-        return "Nobody is shown to beat " + with_numbers(who);
-      case What::cyclic:
-        return "No solver is best, since each is worse than another: " + with_numbers(who);
-      case What::not_tested:
-        return fmt::format("{}ot tested{}{}: {}", is_begin ? 'N' : 'n',
-                           fact.against.empty() ? "" : " against " + fact.against.front(),
-                           why_not(answer_, judged_, who), with_numbers(who));
-      default:
-        return fmt::format("{} {} worse{}{}", with_numbers(who), is_or_are(who),
-                           is_solved(judged_) && fact.against.front() == first_ ? "" : " than " + fact.against.front(),
-                           little(fact));
-    }
-  }
-  bool who_are_equal(const Names& who) const {
-    const Pairs pairs(judged_, who);
-    return all_pairs(who, who, [&](auto& one, auto& other) { return all_values_equal(*pairs.finding(one, other)); });
-  }
-
-  // "LM and DLS solved all 100 targets, SLSQP 99 (not decided)"
-  std::string counted(const Statement& fact) {
-    const double most = described(fact.solvers.front()).mean;
-    const int n = described(fact.solvers.front()).n;
-    const Names firsts = who_of(fact.solvers, [&](auto& name) { return described(name).mean == most; });
-    const std::string its = number(firsts.front());
-    std::string text = fmt::format("{} {}", names_of(firsts),
-                                   most == 100 && n > 1 && trials_per_value(judged_.samples) == 1
-                                       ? fmt::format("solved all {}{}", base::counted(n, answer_.noun), within())
-                                       : its);
-    Names others = who_of(fact.solvers, [&](auto& name) { return described(name).mean != most; });
+  // Returns "LM and DLS solved all 100 targets, SLSQP 99 (not decided)".
+  std::string success_counts(const Statement& statement) {
+    const double highest = descriptives_of(statement.solvers.front()).mean;
+    const int n = descriptives_of(statement.solvers.front()).n;
+    const auto is_highest = [&](const std::string& name) { return descriptives_of(name).mean == highest; };
+    const Names firsts = names_that(statement.solvers, is_highest);
+    Names others = names_that(statement.solvers, [&](const std::string& name) { return !is_highest(name); });
+    const std::string first_number = number(firsts.front());
+    const bool are_all_solved = highest == 100 && n > 1 && trials_per_value(judged_.samples) == 1;
+    std::string text = names_of(firsts) + ' ';
+    text += are_all_solved ? fmt::format("solved all {}{}", base::counted(n, model_.noun), within()) : first_number;
     if (others.empty()) return text;
-    const std::string best = number(others.front()), worst = number(others.back());
-    const bool are_many = others.size() > most_named;
-    for (std::string& name : others) name += ' ' + number(name);
-    return fmt::format("{}, {} ({})", text,
-                       are_many
-                           ? fmt::format("{} others {}{}", others.size(), worst, best == worst ? "" : " to " + best)
-                           : fmt::format("{}", fmt::join(others, ", ")),
-                       fact.kind == What::inconclusive  ? "not decided"
-                       : fact.kind == What::none_better ? "no difference is shown"
-                                                        : "the same within " + margin_text(judged_));
+    return fmt::format("{}, {} ({})", text, lower_counts(std::move(others)), difference_text(statement.kind));
+  }
+  std::string lower_counts(Names names) {
+    if (names.size() <= most_named) {
+      for (std::string& name : names) name += ' ' + number(name);
+      return fmt::format("{}", fmt::join(names, ", "));
+    }
+    const std::string highest = number(names.front()), lowest = number(names.back());
+    return fmt::format("{} others {}{}", names.size(), lowest, highest == lowest ? "" : " to " + highest);
+  }
+  std::string difference_text(Kind kind) const {
+    if (kind == Kind::inconclusive) return "not decided";
+    if (kind == Kind::none_better) return "no difference is shown";
+    return same_within_margin();
+  }
+
+  // The clauses of a first question.
+
+  std::string control_clause(const Statement& statement) {
+    return fmt::format("{} {}{}", with_numbers(statement.solvers), verdict_against_control(statement),
+                       below_margin(statement.is_below_margin));
+  }
+  std::string verdict_against_control(const Statement& statement) const {
+    switch (statement.kind) {
+      case Kind::better:
+        return "better";
+      case Kind::worse:
+        return "worse";
+      case Kind::equivalent:
+        return same_within_margin();
+      case Kind::not_tested:
+        return "not tested" + not_tested_text(model_, judged_, statement.solvers);
+      case Kind::no_comparison:  // never against a control, as the others here but `inconclusive`
+      case Kind::best:
+      case Kind::inconclusive:
+      case Kind::none_better:
+      case Kind::cyclic:
+        return "not decided";
+    }
+    return "not decided";
+  }
+
+  std::string clause(const Statement& statement) {
+    const Names& solvers = statement.solvers;
+    if (is_solved(judged_) && statement.against.empty() && statement.kind <= Kind::none_better)
+      return success_counts(statement);
+    switch (statement.kind) {
+      case Kind::no_comparison:
+        return only_number(solvers.front());
+      case Kind::best:
+        return model_.order.size() == 2 ? best_of_two(statement) : best_of_many(statement);
+      case Kind::equivalent:
+        return fmt::format("{} are {}", with_numbers(solvers), same_within_margin());
+      case Kind::inconclusive:
+        return fmt::format("Not decided between {}{}", with_numbers(solvers),
+                           are_all_equal(solvers) ? ": all values are equal" : "");
+      case Kind::none_better:
+        return "Nobody is shown to beat " + with_numbers(solvers);
+      case Kind::cyclic:
+        return "No solver is best, since each is worse than another: " + with_numbers(solvers);
+      case Kind::not_tested:
+        return not_tested_clause(statement);
+      case Kind::better:  // only against a control, where other words stand
+      case Kind::worse:
+        return worse_clause(statement);
+    }
+    return "";
+  }
+
+  std::string only_number(const std::string& name) {
+    const std::string text = number(name);
+    return fmt::format("The {} of {} is{}", quantity(), name, text.substr(quantity().size()));
+  }
+  std::string best_solvers(const Statement& statement) {
+    const bool are_many_solved = is_solved(judged_) && statement.solvers.size() > 1;
+    return are_many_solved ? success_counts(statement) : with_numbers(statement.solvers);
+  }
+  std::string best_of_two(const Statement& statement) {
+    const std::string best = best_solvers(statement);
+    const bool is_by_ranks =
+        std::ranges::count(judged_.samples.warnings, WarningKind::ranks_disagree, &Warning::kind) > 0;
+    return fmt::format("{} is better than {}{}{}", best, with_numbers(statement.against),
+                       is_by_ranks ? " by ranks" : "", below_margin(statement.is_below_margin));
+  }
+  std::string best_of_many(const Statement& statement) {
+    const std::string best = best_solvers(statement);
+    return fmt::format("{}{}; {} {} worse{}", best, is_best_text(statement.solvers.size() > 1),
+                       with_numbers(statement.against), is_or_are(statement.against),
+                       below_margin(statement.is_below_margin));
+  }
+  std::string is_best_text(bool are_many) const {
+    if (is_solved(judged_) && are_many) return "";  // counts are a sentence
+    if (judged_.plan.metric.empty() && is_nothing_solved()) return are_many ? " come nearest" : " comes nearest";
+    return are_many ? " are best" : " is best";
+  }
+  std::string not_tested_clause(const Statement& statement) {
+    const char* const not_tested = first_named_.empty() ? "Not tested" : "not tested";
+    return fmt::format("{}{}{}: {}", not_tested,
+                       statement.against.empty() ? "" : " against " + statement.against.front(),
+                       not_tested_text(model_, judged_, statement.solvers), with_numbers(statement.solvers));
+  }
+  std::string worse_clause(const Statement& statement) {
+    const std::string& winner = statement.against.front();
+    const std::string losers = with_numbers(statement.solvers);
+    return fmt::format("{} {} worse{}{}", losers, is_or_are(statement.solvers),
+                       is_solved(judged_) && winner == first_named_ ? "" : " than " + winner,
+                       below_margin(statement.is_below_margin));
+  }
+  bool are_all_equal(const Names& solvers) const {
+    return holds_for_pairs(solvers, solvers, [&](const std::string& first, const std::string& second) {
+      return all_values_equal(*pairs_.find(first, second));
+    });
+  }
+
+  // The clauses of a second question.
+
+  std::string not_judged_sentence(const JudgedMetric& untested) const {
+    return fmt::format("{} is not judged{}. ", as_sentence(untested.samples.quantity),
+                       not_tested_text(model_, untested, question_.solvers));
+  }
+  std::string no_difference_clause(const Ranking& ranking) const {
+    const std::string& quantity = judged_.samples.quantity;
+    const Kind kind = question_.statements.front().kind;
+    if (kind == Kind::cyclic) return fmt::format("By {} each is worse than another", quantity);
+    if (kind == Kind::equivalent && ranking.untested.empty())
+      return fmt::format("By {} they are {}", quantity, same_within_margin());
+    return fmt::format("No difference in {} is shown", quantity);
+  }
+  std::string difference_clause(const Ranking& ranking) const {
+    const TieBreakerWords& words =
+        *std::ranges::find(words_of_tie_breakers, question_.tie_breaker, &TieBreakerWords::tie_breaker);
+    const auto is_better = [&](const std::string& name, const std::string& loser) {
+      return pairs_.is_better(name, loser);
+    };
+    const std::string leader = *std::ranges::max_element(ranking.best, {}, [&](const std::string& name) {
+      return std::ranges::count_if(ranking.losers, [&](const std::string& loser) { return is_better(name, loser); });
+    });
+    const Ratios ratios = ratios_to(leader, ranking.losers);
+    if (!holds_for_pairs(ranking.best, ranking.losers, is_better))
+      return fmt::format("None is shown to {} than {}{}", words.be_better, leader, ratios_text(ratios, words, ""));
+    const bool is_one = ranking.best.size() == 1;
+    const bool are_small = holds_for_pairs(
+        ranking.best, ranking.losers,
+        [&](const std::string& name, const std::string& loser) { return is_below_margin(pairs_.find(name, loser)); });
+    return fmt::format("{} {}{}{}", names_of(ranking.best), is_one ? words.is_best : words.are_best,
+                       below_margin(are_small), ratios_text(ratios, words, is_one ? "" : " as " + leader));
+  }
+  // Returns the ratios of the losers that the leader beats, where they are known.
+  Ratios ratios_to(const std::string& leader, const Names& losers) const {
+    Ratios ratios;
+    for (const std::string& loser : losers) {
+      const Comparison* const pair = pairs_.find(leader, loser);
+      if (pair == nullptr || !pairs_.is_better(leader, loser)) continue;
+      if (!pair->estimate || pair->scale != EffectScale::ratio) continue;
+      ratios.emplace_back(loser, pair->first == loser ? pair->estimate->value : 1 / pair->estimate->value);
+    }
+    return ratios;
   }
 };
 
-// "B takes 3 times as long", of each whom the first is ahead of; of many how the ratios span.
-std::string ratios_told(const std::vector<std::pair<std::string, double>>& ratios, const Words& words,
-                        const std::string& as_whom) {
-  if (ratios.empty()) return "";
-  std::vector<std::string> told;
-  for (const auto& [name, ratio] : ratios)
-    told.push_back(
-        fmt::format("{} {}{}", name, told.empty() ? fmt::format("{} ", words.takes) : "", ratio_text(ratio)));
-  const auto [least, most] = std::ranges::minmax(ratios, {}, &std::pair<std::string, double>::second);
-  const std::string from =
-      ratio_text(least.second) == ratio_text(most.second) ? "" : number_text(least.second, 2) + " to ";
-  return fmt::format("; {} {}{}",
-                     told.size() < most_named
-                         ? fmt::format("{}", fmt::join(told, ", "))
-                         : fmt::format("{} others {} {}{}", told.size(), words.take, from, ratio_text(most.second)),
-                     words.as, as_whom);
-}
-
-// The sentence of the second question. All are held against one, who is ahead of most.
-std::string then_told(const ReportModel& answer, const HeadlineQuestion& question) {
-  const JudgedMetric& judged = *question.metric;
-  const Words& words =
-      *std::ranges::find_if(all_words, [&](const Words& its) { return metric_of(answer, its) == &judged; });
-  Names best, losers, untested;
-  for (const Statement& fact : question.statements) {
-    Names& who = fact.kind == What::not_tested ? untested : fact.kind == What::worse ? losers : best;
-    who.insert(who.end(), fact.solvers.begin(), fact.solvers.end());
-    if (fact.kind == What::best) losers = fact.against;
-  }
-  Names all = best;
-  all.insert(all.end(), losers.begin(), losers.end());
-  const Pairs pairs(judged, all);
-  const auto is_ahead = [&](auto& one, auto& other) { return pairs.of(one, other) == Verdict::better; };
-  std::string text = question.preface;
-  if (losers.empty()) {
-    text += question.statements.front().kind == What::cyclic
-                ? fmt::format("By {} each is worse than another", judged.samples.quantity)
-            : question.statements.front().kind == What::equivalent && untested.empty()
-                ? fmt::format("By {} they are the same within {}", judged.samples.quantity, margin_text(judged))
-                : fmt::format("No difference in {} is shown", judged.samples.quantity);
-  } else {
-    const std::string first = *std::ranges::max_element(best, {}, [&](const std::string& name) {
-      return std::ranges::count_if(losers, [&](auto& loser) { return is_ahead(name, loser); });
-    });
-    std::vector<std::pair<std::string, double>> ratios;
-    for (const std::string& loser : losers) {
-      const Comparison* const pair = pairs.finding(first, loser);
-      if (pair && is_ahead(first, loser) && pair->estimate && pair->scale == EffectScale::ratio)
-        ratios.emplace_back(loser, pair->first == loser ? pair->estimate->value : 1 / pair->estimate->value);
-    }
-    const bool is_clear = all_pairs(best, losers, is_ahead);
-    const auto is_so = [&](auto& one, auto& other) { return is_little(pairs.finding(one, other)); };
-    text += is_clear ? fmt::format("{} {}{}", names_of(best), best.size() == 1 ? words.is : words.are,
-                                   all_pairs(best, losers, is_so) ? ", by less than " + margin_text(judged) : "")
-                     : fmt::format("None is shown to {} than {}", words.than, first);
-    text += ratios_told(ratios, words, is_clear && best.size() > 1 ? " as " + first : "");
-  }
-  if (untested.empty()) return text + '.';
-  return fmt::format("{}; {} {} not judged{}.", text, names_of(untested), is_or_are(untested),
-                     why_not(answer, judged, untested));
-}
-
 }  // namespace
 
-std::vector<Statement> statements_of(const JudgedMetric& judged, const Names& among) {
-  const Pairs pairs(judged, among);
-  if (!pairs.is_any()) return {{What::no_comparison, among}};
-  std::vector<Statement> said;
-  const auto add = [&](What what, const Names& who, const Names& against = {}) {
-    if (who.empty()) return;
-    const auto is_so = [&](auto& one, auto& other) { return is_little(pairs.finding(one, other)); };
-    said.push_back({what, who, against, !against.empty() && all_pairs(who, against, is_so)});
-  };
-  const auto are = [&](const Names& who, Verdict verdict) {
-    return all_pairs(who, who, [&](auto& one, auto& other) { return pairs.of(one, other) == verdict; });
-  };
-  const std::string leader = leader_of(pairs, among);
-  const auto is_apart = [&](auto& name) {
-    const bool is_beside = pairs.is_loser(name) || name == leader || pairs.of(leader, name) != Verdict::not_tested;
-    return pairs.tested(name) == 0 || !is_beside;
-  };
-  const Names apart = who_of(among, is_apart), losers = who_of(among, [&](auto&name) { return pairs.is_loser(name); }),
-              unbeaten = who_of(among, [&](auto&name) { return !pairs.is_loser(name); }),
-              rest = who_of(unbeaten, [&](auto&name) { return !has(apart, name); });
-  const auto is_ahead = [&](auto& one, auto& other) { return pairs.of(one, other) == Verdict::better; };
-  if (!losers.empty() && !unbeaten.empty() && all_pairs(unbeaten, losers, is_ahead) &&
-      all_pairs(unbeaten, unbeaten, [&](auto& one, auto& other) { return are_alike(pairs.finding(one, other)); })) {
-    add(What::best, unbeaten, losers);
-    return said;
-  }
-  if (const std::string& control = judged.plan.control; has(among, control) && among.size() > 2) {
-    for (const auto& [verdict, what] : {std::pair{Verdict::better, What::better},
-                                        {Verdict::equivalent, What::equivalent},
-                                        {Verdict::inconclusive, What::inconclusive},
-                                        {Verdict::worse, What::worse},
-                                        {Verdict::not_tested, What::not_tested}})
-      add(what,
-          who_of(among, [&, its = verdict](auto& name) { return name != control && pairs.of(name, control) == its; }),
-          {control});
-    return said;
-  }
-  if (rest.empty()) {
-    add(What::cyclic, losers);
-    add(What::not_tested, apart);
-    return said;
-  }
-  add(rest.size() > 1 && are(rest, Verdict::equivalent)     ? What::equivalent
-      : rest.size() > 1 && are(rest, Verdict::inconclusive) ? What::inconclusive
-                                                            : What::none_better,
-      rest);
-  NamesByPhrase worse;  // by the winner, an unbeaten one if there is one
-  for (const std::string& loser : losers) {
-    const auto beats = [&](const std::string& name) { return is_ahead(name, loser); };
-    const auto winner = std::ranges::find_if(rest, beats);
-    worse.add(winner != rest.end() ? *winner : *std::ranges::find_if(among, beats), loser);
-  }
-  for (const auto& [winner, who] : worse.entries) add(What::worse, who, {winner});
-  const bool are_joined = std::ranges::any_of(apart, [&](auto& name) { return pairs.tested(name) > 0; });
-  add(What::not_tested, apart, are_joined ? Names{leader} : Names());
-  return said;
-}
-
-std::vector<HeadlineQuestion> headline_questions(const ReportModel& answer) {
-  const JudgedMetric& first = answer.primary();
-  std::vector<HeadlineQuestion> all{{.metric = &first, .statements = statements_of(first, answer.solvers())}};
-  const auto& [what, unbeaten, against, is_little] = all.front().statements.front();
-  const Names rest = what == What::no_comparison || what > What::none_better ? Names() : unbeaten;
-  std::string before;
-  for (const std::string& then : answer.tie_breakers) {
-    const auto words = std::ranges::find(all_words, then, &Words::then);
-    const JudgedMetric* const judged = words == all_words.end() ? nullptr : metric_of(answer, *words);
-    if (judged == nullptr || rest.size() < 2 || (answer.order.size() > 2 && !first.plan.control.empty())) continue;
-    std::vector<Statement> said = statements_of(*judged, rest);
-    const auto is_judged = [](const Statement& fact) {
-      return fact.kind != What::not_tested && fact.kind != What::no_comparison;
-    };
-    if (std::ranges::any_of(said, is_judged)) {
-      all.push_back({.metric = judged, .statements = std::move(said), .preface = before});
-      break;
-    }
-    before +=
-        fmt::format("{} is not judged{}. ", as_sentence(judged->samples.quantity), why_not(answer, *judged, rest));
-  }
-  return all;
-}
-
 std::string tie_breaker_sentence(const ReportModel& answer) {
-  const std::vector<HeadlineQuestion> questions = headline_questions(answer);
-  return questions.size() < 2 ? "" : then_told(answer, questions.back());
+  if (answer.questions.size() < 2) return "";
+  return QuestionTeller(answer, answer.questions.back()).tie_breaker_sentence();
 }
 
 std::string headline(const ReportModel& answer) {
   if (!answer.verdict.empty()) return answer.verdict;
-  const std::vector<HeadlineQuestion> questions = headline_questions(answer);
-  const std::string then = questions.size() < 2 ? "" : ' ' + then_told(answer, questions.back());
-  return First(answer).told(questions.front().statements) + '.' + then;
+  const std::string first = QuestionTeller(answer, answer.questions.front()).primary_sentence();
+  const std::string second = tie_breaker_sentence(answer);
+  return second.empty() ? first : first + ' ' + second;
 }
 
 std::string ranking_note(const ReportModel& answer) {
@@ -443,9 +419,9 @@ std::string ranking_note(const ReportModel& answer) {
     return &judged != &answer.primary() && !beaten_solvers(judged.comparisons).empty();
   };
   if (!answer.verdict.empty() || std::ranges::none_of(answer.metrics, has_winner)) return "";
-  const std::vector<HeadlineQuestion> questions = headline_questions(answer);
-  return fmt::format("Judged by {}{}", answer.primary().samples.quantity,
-                     questions.size() < 2 ? "" : ", then " + questions[1].metric->samples.quantity);
+  const std::string first = "Judged by " + answer.primary().samples.quantity;
+  if (answer.questions.size() < 2) return first;
+  return fmt::format("{}, then {}", first, answer.metrics[answer.questions.back().metric].samples.quantity);
 }
 
 }  // namespace ikbench::show

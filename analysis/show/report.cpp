@@ -86,7 +86,7 @@ Table options_table(const StudyResults& study) {
 }  // namespace
 
 Report make_report(JudgedStudy judged, std::vector<figures::Figure> figures) {
-  Report report{.answer = answer_of(judged), .figures = std::move(figures)};
+  Report report{.answer = make_report_model(judged), .figures = std::move(figures)};
   report.study = std::move(judged.study);
   return report;
 }

@@ -138,6 +138,11 @@ std::vector<std::string> ReportModel::solvers() const {
   return names;
 }
 
+bool ReportModel::is_in_headline(const JudgedMetric& judged) const {
+  return std::ranges::any_of(questions,
+                             [&](const HeadlineQuestion& question) { return &metrics[question.metric] == &judged; });
+}
+
 std::vector<Warning> ReportModel::all_warnings() const {
   std::vector<Warning> all = warnings;
   for (const JudgedMetric& judged : metrics) {
@@ -160,9 +165,10 @@ std::vector<Warning> ReportModel::all_warnings() const {
   return all;
 }
 
-ReportModel answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
-  const auto decisive = metrics.begin() + static_cast<std::ptrdiff_t>(deciding);
-  std::rotate(metrics.begin(), decisive, decisive + 1);
+ReportModel make_report_model(std::vector<JudgedMetric> metrics, std::size_t primary,
+                              const std::vector<std::string>& tie_breakers) {
+  const auto headline_metric = metrics.begin() + static_cast<std::ptrdiff_t>(primary);
+  std::rotate(metrics.begin(), headline_metric, headline_metric + 1);
   ReportModel answer{.metrics = std::move(metrics)};
   answer.order = display_order(answer.primary(), answer.metrics);
   for (JudgedMetric& judged : answer.metrics) {
@@ -178,14 +184,17 @@ ReportModel answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
     auto next = judged.comparisons.begin();
     for (auto& [place, its] : by_place) *next++ = std::move(its);
   }
+  answer.questions = make_headline_questions(answer.metrics, answer.solvers(), tie_breakers);
   return answer;
 }
 
-ReportModel answer_of(const JudgedStudy& judged) {
-  ReportModel all = answer_of(judged.metrics, judged.primary);
+ReportModel make_report_model(const JudgedStudy& judged) {
+  // Tie-breakers are for solvers that solve alike: another first metric leaves no second question.
+  const bool is_of_solved = judged.metrics[judged.primary].samples.quantity_kind == QuantityKind::solved;
+  ReportModel all =
+      make_report_model(judged.metrics, judged.primary,
+                        is_of_solved ? judged.study.definition.plan.tie_breakers : std::vector<std::string>());
   all.warnings = judged.warnings;
-  if (all.primary().samples.quantity_kind == QuantityKind::solved)
-    all.tie_breakers = judged.study.definition.plan.tie_breakers;
   const std::string solved = study_text(judged.study), &name = judged.study.name;
   all.study_text = fmt::format("{}{}. A solve ends at {}.", solved.starts_with(name + ",") ? "" : name + ": ", solved,
                                budget_text(judged.study));

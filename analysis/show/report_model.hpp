@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/judge/judge.hpp"
+#include "analysis/show/statements.hpp"
 #include "analysis/show/table.hpp"
 
 namespace ikbench::show {
@@ -23,21 +24,23 @@ struct ReportModel {
   std::string rejections_text = {};          // of answers that the study's check refused; empty: none
   std::string verdict = {};    // of `compare`, in place of the headline; labels and metrics share its significance
   std::string direction = {};  // of a file: "smaller is better"
-  std::vector<std::string> tie_breakers = {};  // of a study that asks first what is solved: its plan's
+  std::vector<HeadlineQuestion> questions = {};  // one or two, which the headline answers
   // Of a study, with their headings: a control loop; times, of another machine too, and in batches. Without rows if it
   // has none.
   std::vector<std::pair<std::string, Table>> extra_tables = {};
 
   const judge::JudgedMetric& primary() const { return metrics.front(); }
-  std::vector<std::string> solvers() const;  // in the order
+  std::vector<std::string> solvers() const;                      // in the order
+  bool is_in_headline(const judge::JudgedMetric& judged) const;  // one of `metrics`, about which a question is
   // Those of all and of each metric, each once; what several metrics have alike, as one.
   std::vector<judge::Warning> all_warnings() const;
 };
 
 // Shares in percent; of studies times in ms, and errors in mm, but in cm where a paper's study is repeated. With a
 // control it is the second of each pair.
-ReportModel answer_of(std::vector<judge::JudgedMetric> metrics, std::size_t deciding = 0);
-ReportModel answer_of(const judge::JudgedStudy& judged);
+ReportModel make_report_model(std::vector<judge::JudgedMetric> metrics, std::size_t primary = 0,
+                              const std::vector<std::string>& tie_breakers = {});
+ReportModel make_report_model(const judge::JudgedStudy& judged);
 
 bool is_success_rate(const judge::JudgedMetric& judged);
 // A group's average as readers see it: at most the tolerance, or the floor that ratios know nothing below.

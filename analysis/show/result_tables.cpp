@@ -299,8 +299,8 @@ Table results_table(const ReportModel& answer, bool is_brief) {
   const std::string reference = reference_of(answer);
   const std::set<std::string> losers = beaten_solvers(answer.primary().comparisons);
   std::vector<std::string> apart;  // nobody knows whether they are better
-  for (const Statement& fact : statements_of(answer.primary(), answer.solvers()))
-    if (fact.kind == Statement::StatementKind::not_tested) apart = fact.solvers;
+  for (const Statement& statement : answer.questions.front().statements)
+    if (statement.kind == Statement::StatementKind::not_tested) apart = statement.solvers;
   Occurring occurring;
   for (const JudgedMetric& judged : answer.metrics) {
     const MetricSamples& samples = judged.samples;
@@ -382,13 +382,11 @@ Table transposed(const Table& studies) {
 Table pairs_table(const ReportModel& answer) {
   Table table = without_pairs(answer);
   const std::string reference = reference_of(answer);
-  const std::vector<HeadlineQuestion> questions = headline_questions(answer);
   std::vector<std::vector<Cell>> others;
   std::size_t left_out = 0;
   bool has_p = false;
   for (const JudgedMetric& judged : answer.metrics) {
-    const bool is_asked = std::ranges::count(questions, &judged, &HeadlineQuestion::metric) > 0,
-               are_many = judged.comparisons.size() > most_told;
+    const bool is_asked = answer.is_in_headline(judged), are_many = judged.comparisons.size() > most_told;
     for (const Comparison& comparison : judged.comparisons) {
       const bool is_told = is_asked && (!are_many || comparison.first == reference || comparison.second == reference);
       if (!is_told && others.size() == most_listed) {

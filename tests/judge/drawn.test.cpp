@@ -543,7 +543,7 @@ TEST_CASE("drawn tables are judged as a second reference judges them", "[drawn][
     MetricSamples samples = read().observed[0];
     const auto test = table.by_means ? AnalysisPlan::Test::means : AnalysisPlan::Test::ranks;
     const JudgedMetric judged = ikbench::judge::judge(samples, csv::with_margin({.test = test}, "", samples));
-    const show::ReportModel answer = show::answer_of({judged});
+    const show::ReportModel answer = show::make_report_model({judged});
     const Rights rights = rights_of(table);
     const std::string text = show::headline(answer), untruth = untruth_in(text, table, answer, rights);
     check("sentence", untruth.empty(), untruth + ": " + text);

@@ -276,9 +276,7 @@ show::ReportModel drawn_answer(Random& random, std::size_t k, double least_solve
   std::vector<JudgedMetric> metrics;
   for (MetricSamples* const samples : {&solved, &times, &evaluations})  // which the plan names
     metrics.push_back(judge(*samples, plan, compare(*samples, plan, 3)));
-  show::ReportModel answer = show::answer_of(std::move(metrics));
-  answer.tie_breakers = plan.tie_breakers;
-  return answer;
+  return show::make_report_model(std::move(metrics), 0, plan.tie_breakers);
 }
 
 TEST_CASE("what a headline goes on to is wrong no more often than it says", "[error_rates]") {
@@ -297,7 +295,7 @@ TEST_CASE("what a headline goes on to is wrong no more often than it says", "[er
       double& share = shares.emplace_back();
       for (int set = 0; set < sets; ++set) {
         const show::ReportModel answer = drawn_answer(random, k, least_solved, are_times_judged);
-        const std::vector<show::HeadlineQuestion> questions = show::headline_questions(answer);
+        const std::vector<show::HeadlineQuestion>& questions = answer.questions;
         share += questions.size() > 1 && std::ranges::any_of(questions[1].statements, is_wrong);
       }
       share /= sets;

@@ -49,7 +49,7 @@ TEST_CASE("a claim about solvers of one study has the verdicts of its report", "
     for (const Claim& claim : of.paper.claims) {
       const bool is_of_one = claim.study.empty() || claim.study == "limits";
       if (!is_of_one || !claim.rule || claim.rule->name != "better" || claim.of != Of::means) continue;
-      const show::Table pairs = show::pairs_table(show::answer_of(claim.study.empty() ? study : limits));
+      const show::Table pairs = show::pairs_table(show::make_report_model(claim.study.empty() ? study : limits));
       const auto verdict = static_cast<std::size_t>(std::ranges::find(pairs.columns, "verdict", &show::Column::name) -
                                                     pairs.columns.begin());
       std::vector<Holds> parts;

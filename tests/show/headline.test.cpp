@@ -5,7 +5,9 @@
 namespace {
 
 // A and B solve all, C few; B takes three times A's time, and as many evaluations.
-ReportModel answer_of_three(std::vector<double> time_of_b, bool are_times_compared = true) {
+ReportModel model_of_three(std::vector<double> time_of_b, bool are_times_compared = true,
+                           const std::vector<std::string>& tie_breakers = results::default_tie_breakers,
+                           const judge::AnalysisPlan& plan = {}) {
   const auto costs = [](judge::MetricSamples of) {
     of.is_paired = true;
     return of;
@@ -17,23 +19,22 @@ ReportModel answer_of_three(std::vector<double> time_of_b, bool are_times_compar
   if (!are_times_compared)
     for (judge::Group& group : times.groups)
       group.sample = judge::ExcludedSample{.reason = judge::ExclusionReason::not_comparable};
-  ReportModel answer = answer_of(
-      std::vector{judged(shares({{"A", solved(20)}, {"B", solved(20)}, {"C", solved(3)}})), judged(std::move(times)),
+  return make_report_model(
+      std::vector{judged(shares({{"A", solved(20)}, {"B", solved(20)}, {"C", solved(3)}}), plan),
+                  judged(std::move(times)),
                   judged(costs(numbers(
                       "evaluations", "evaluations", "",
-                      {{"A", values_around(20, 0.1)}, {"B", values_around(40, 0.3)}, {"C", values_around(5, 0.1)}})))});
-  answer.tie_breakers = results::default_tie_breakers;
-  return answer;
+                      {{"A", values_around(20, 0.1)}, {"B", values_around(40, 0.3)}, {"C", values_around(5, 0.1)}})))},
+      0, tie_breakers);
 }
 
 }  // namespace
 
 TEST_CASE("of whom the first metric leaves open the first of the plan that is judged is told", "[show]") {
-  CHECK(tie_breaker_sentence(answer_of_three(values_around(0.03, 0.3))) ==
-        "A is the fastest; B takes 3 times as long.");
-  CHECK(tie_breaker_sentence(answer_of_three(values_around(0.01, 0.2))) ==
+  CHECK(tie_breaker_sentence(model_of_three(values_around(0.03, 0.3))) == "A is the fastest; B takes 3 times as long.");
+  CHECK(tie_breaker_sentence(model_of_three(values_around(0.01, 0.2))) ==
         "No difference in time is shown.");  // a third question would have to share the second's significance
-  CHECK(tie_breaker_sentence(answer_of_three(values_around(0.03, 0.3), false)) ==
+  CHECK(tie_breaker_sentence(model_of_three(values_around(0.03, 0.3), false)) ==
         "Time is not judged (not comparable). A needs the fewest evaluations; B takes 2 times as many.");
 }
 
@@ -44,30 +45,25 @@ TEST_CASE("ratios of many are told from the least to the largest, or once", "[sh
       all_solved.emplace_back(name, solved(20));
       times.emplace_back(name, values_around(*name == 'A' ? 0.01 : *name == 'B' ? time_of_b : 0.1, 0.2));
     }
-    ReportModel answer =
-        answer_of(std::vector{judged(shares(all_solved)), judged(numbers("time", "time", "ms", times))});
-    answer.tie_breakers = results::default_tie_breakers;
-    return tie_breaker_sentence(answer);
+    return tie_breaker_sentence(
+        make_report_model(std::vector{judged(shares(all_solved)), judged(numbers("time", "time", "ms", times))}, 0,
+                          results::default_tie_breakers));
   };
   CHECK(said(0.02) == "A is the fastest; 6 others take 2 to 10 times as long.");
   CHECK(said(0.0999) == "A is the fastest; 6 others take 10 times as long.");
 }
 
 TEST_CASE("one that is best alone, and what is no study, have no second question", "[show]") {
-  ReportModel answer = answer_of_three(values_around(0.03, 0.3));
-  answer.tie_breakers = {};
-  CHECK(tie_breaker_sentence(answer).empty());
-  ReportModel alone = answer_of(std::vector{judged(shares({{"A", solved(20)}, {"B", solved(2)}}))});
-  alone.tie_breakers = results::default_tie_breakers;
+  const std::vector<double> time_of_b = values_around(0.03, 0.3);
+  CHECK(tie_breaker_sentence(model_of_three(time_of_b, true, {})).empty());
+  const ReportModel alone = make_report_model(std::vector{judged(shares({{"A", solved(20)}, {"B", solved(2)}}))}, 0,
+                                              results::default_tie_breakers);
   CHECK(tie_breaker_sentence(alone).empty());
-  answer.tie_breakers = results::default_tie_breakers;
-  answer.metrics.front().plan.control = "C";
-  CHECK(tie_breaker_sentence(answer).empty());
+  CHECK(tie_breaker_sentence(model_of_three(time_of_b, true, results::default_tie_breakers, {.control = "C"})).empty());
 }
 
 TEST_CASE("the plan says what a headline goes on to", "[show]") {
-  ReportModel answer = answer_of_three(values_around(0.03, 0.3));
-  answer.tie_breakers = {"evaluations", "time"};
+  const ReportModel answer = model_of_three(values_around(0.03, 0.3), true, {"evaluations", "time"});
   CHECK(tie_breaker_sentence(answer).starts_with("A needs the fewest evaluations"));
   CHECK(ranking_note(answer) == "Judged by solved, then evaluations");
 }
@@ -76,7 +72,7 @@ TEST_CASE("numbers of a headline stand behind their solvers, equal ones together
   const auto of = [](std::vector<std::pair<std::string, int>> solvers) {
     std::vector<std::pair<std::string, std::vector<double>>> groups;
     for (const auto& [name, count] : solvers) groups.emplace_back(name, solved(count));
-    ReportModel answer = answer_of({judged(shares(std::move(groups)))});
+    ReportModel answer = make_report_model({judged(shares(std::move(groups)))});
     answer.noun = "targets";
     return headline(answer);
   };

@@ -5,7 +5,7 @@ using judge::MetricSamples;
 namespace {
 
 ReportModel of(MetricSamples observations, const results::AnalysisPlan& plan = {}) {
-  ReportModel result = answer_of({judged(std::move(observations), plan)});
+  ReportModel result = make_report_model({judged(std::move(observations), plan)});
   result.noun = "targets";
   return result;
 }
@@ -61,7 +61,8 @@ TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
     of.samples.warnings.push_back({.kind = judge::WarningKind::dominated_by_few, .solvers = {"A"}, .detail = name});
     return of;
   };
-  const std::vector<judge::Warning> warnings = answer_of({metric("time"), metric("evaluations")}).all_warnings();
+  const std::vector<judge::Warning> warnings =
+      make_report_model({metric("time"), metric("evaluations")}).all_warnings();
   REQUIRE(warnings.size() == 1);
   CHECK(warnings.front().detail == "time, evaluations");
 }

@@ -22,8 +22,8 @@ ReportModel of_many(std::size_t solvers) {
   std::vector<std::pair<std::string, std::vector<double>>> groups;
   for (std::size_t i = 0; i < solvers; ++i)
     groups.emplace_back(fmt::format("solver {}", i), values_around(1 + 0.3 * static_cast<double>(i), 0.5));
-  ReportModel all =
-      answer_of({judged(numbers("error", "error", "mm", groups)), judged(numbers("time", "time", "ms", groups))});
+  ReportModel all = make_report_model(
+      {judged(numbers("error", "error", "mm", groups)), judged(numbers("time", "time", "ms", groups))});
   for (int i = 0; i < 2; ++i)
     all.warnings.push_back({.kind = judge::WarningKind::runs_missing, .solvers = {"a"}, .count = 1.0 + i, .total = 20});
   return all;
@@ -95,7 +95,7 @@ TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
     for (const std::string& sentence : results_sentences(answer)) all += fmt::format("  {}\n", sentence);
   };
   const auto of = [](judge::MetricSamples samples, const judge::AnalysisPlan& plan = {}) {
-    ReportModel answer = answer_of({judged(std::move(samples), plan)});
+    ReportModel answer = make_report_model({judged(std::move(samples), plan)});
     answer.noun = "targets";
     return answer;
   };
@@ -116,8 +116,8 @@ TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
   judge::MetricSamples lost = errors_of(3);
   lost.groups[1].sample = judge::ExcludedSample{.missing = 3, .values = {1, 2}};
   add("one not compared", of(lost));
-  ReportModel nothing =
-      answer_of({judged(shares({{"A", solved(0)}, {"B", solved(0)}, {"C", solved(0)}})), judged(errors_of(3))}, 1);
+  ReportModel nothing = make_report_model(
+      {judged(shares({{"A", solved(0)}, {"B", solved(0)}, {"C", solved(0)}})), judged(errors_of(3))}, 1);
   add("nothing solved", nothing);
   add("too few", of(numbers("error", "error", "mm", {{"A", {1, 2, 3}}, {"B", {4, 5, 6}}})));
   check_golden("results.txt", all);
@@ -125,9 +125,9 @@ TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
 
 TEST_CASE("a table of results shows medians or means, by which solvers are tested", "[show]") {
   const auto text = [](results::AnalysisPlan::Test test) {
-    const Table table = results_table(
-        answer_of({judged(numbers("error", "error", "mm", {{"A", values_around(1, 0.5)}, {"B", values_around(3, 0.5)}}),
-                          {.test = test})}));
+    const Table table = results_table(make_report_model(
+        {judged(numbers("error", "error", "mm", {{"A", values_around(1, 0.5)}, {"B", values_around(3, 0.5)}}),
+                {.test = test})}));
     return to_csv(table) + table.notes.front();
   };
   const std::string by_ranks = text(results::AnalysisPlan::Test::ranks),
@@ -149,11 +149,11 @@ TEST_CASE("a screen has the solvers up to 20, ten lines beside them and 100 colu
     for (std::string line; std::getline(lines, line);) CHECK(character_count(line) <= 100);
   }
   const std::string hostile = std::string(300, 'x') + "\x1b[2J\n";
-  const std::string text = terminal_report(answer_of(judged_study(hostile)));
+  const std::string text = terminal_report(make_report_model(judged_study(hostile)));
   CHECK(text.find('\x1b') == std::string::npos);
   CHECK(text.find(std::string(40, 'x')) == std::string::npos);  // nor in a warning
-  const std::string of_two = terminal_report(
-      answer_of({judged(numbers("v", "a\nb\x1b", "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}))}));
+  const std::string of_two = terminal_report(make_report_model(
+      {judged(numbers("v", "a\nb\x1b", "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}))}));
   CHECK(contains(of_two, "a b"));
   CHECK(of_two.find('\x1b') == std::string::npos);
 }
@@ -162,7 +162,7 @@ TEST_CASE("below the pairs of two solvers stands which metric decides", "[show]"
   const auto of_two = [](const std::string& metric) {
     return judged(numbers(metric, metric, "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}));
   };
-  ReportModel two = answer_of({of_two("error"), of_two("effort")}, 1);
+  ReportModel two = make_report_model({of_two("error"), of_two("effort")}, 1);
   const auto is_told = [](const ReportModel& answer) {
     return terminal_report(answer).find(ranking_note(answer)) != std::string::npos;
   };
@@ -175,8 +175,8 @@ TEST_CASE("below the pairs of two solvers stands which metric decides", "[show]"
   CHECK(terminal_report(two).starts_with("A is worse.\n\n"));
   CHECK(terminal_report(two).find("! A was stopped by the time limit") != std::string::npos);
   CHECK(ranking_note(two).find("effort") == std::string::npos);
-  CHECK(ranking_note(answer_of({of_two("error")})).empty());
-  CHECK(is_told(answer_of(judged_study())));  // others have marks, too
+  CHECK(ranking_note(make_report_model({of_two("error")})).empty());
+  CHECK(is_told(make_report_model(judged_study())));  // others have marks, too
 }
 
 TEST_CASE("a report is few files, and replaces those of the report before it", "[show]") {
@@ -249,8 +249,10 @@ TEST_CASE("only files that a report has written are replaced or removed", "[show
 }
 
 TEST_CASE("of several studies each is a column, solvers in the order of the first", "[show]") {
-  const auto of = [](int a, int b) { return answer_of({judged(shares({{"A", solved(a)}, {"B", solved(b)}}))}); };
-  const std::vector answers{of(20, 10), answer_of({judged(shares({{"B", solved(20)}, {"C", solved(5)}}))})};
+  const auto of = [](int a, int b) {
+    return make_report_model({judged(shares({{"A", solved(a)}, {"B", solved(b)}}))});
+  };
+  const std::vector answers{of(20, 10), make_report_model({judged(shares({{"B", solved(20)}, {"C", solved(5)}}))})};
   const Table table = studies_table(answers, {"on-one", "on-two"});
   CHECK(table.columns[2].name == "on-two");
   CHECK(table.rows.size() == 3);
@@ -262,7 +264,7 @@ TEST_CASE("of several studies each is a column, solvers in the order of the firs
 }
 
 TEST_CASE("a table says no more below it than it has", "[show]") {
-  const auto of = [](judge::MetricSamples samples) { return answer_of({judged(std::move(samples))}); };
+  const auto of = [](judge::MetricSamples samples) { return make_report_model({judged(std::move(samples))}); };
   const ReportModel of_shares = of(shares({{"A", solved(20)}, {"B", solved(9)}}));
   CHECK(results_table(of_shares).notes.front() == "* worse than A (p < 0.05). Intervals: 95 %.");  // no medians
   CHECK(results_table(of(shares({{"A", solved(20)}, {"B", solved(20)}}))).notes.size() == 1);
@@ -285,7 +287,7 @@ TEST_CASE("a pair has one effect size, named by its standardiser", "[show]") {
   for (const auto& [is_paired, test, name] :
        {std::tuple(true, Test::ranks, "a12"), {true, Test::means, "g_av"}, {false, Test::means, "g"}}) {
     of.is_paired = is_paired;
-    const auto pair = to_json(pairs_table(answer_of({judged(of, {.test = test})})))[0];
+    const auto pair = to_json(pairs_table(make_report_model({judged(of, {.test = test})})))[0];
     for (const char* const other : {"a12", "g_av", "g"}) CHECK(pair[other].is_null() == (other != std::string(name)));
   }
 }
@@ -296,7 +298,7 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
     std::get<judge::Ratios>(costs.kind).is_conditional_on_success = true;
     costs.is_paired = true;
     const auto shown_of = shares({{"A", solved(6)}, {"B", solved(20)}, {"C", solved(last)}});
-    const Table table = results_table(answer_of({judged(shown_of, plan), judged(std::move(costs), plan)}));
+    const Table table = results_table(make_report_model({judged(shown_of, plan), judged(std::move(costs), plan)}));
     return to_text(table);
   };
   judge::MetricSamples costs = numbers("variation", "motion", "deg", {{"A", a}, {"B", b}, {"C", c}});
@@ -332,8 +334,8 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
   // C is worse than B, and not shown to be worse than the first.
   std::vector<double> wide(20, 1);
   std::fill_n(wide.begin(), 9, 50);
-  const ReportModel second =
-      answer_of({judged(numbers("error", "error", "mm", {{"A", wide}, {"B", b}, {"C", values_around(6, 0.5)}}))});
+  const ReportModel second = make_report_model(
+      {judged(numbers("error", "error", "mm", {{"A", wide}, {"B", b}, {"C", values_around(6, 0.5)}}))});
   CHECK(
       contains(to_text(results_table(second)), "C        6 mm (4.7-7.7) *\nMedians (quartiles). * worse than another"));
   CHECK(contains(studies_table({second}, {"one"}).notes[0], "* worse than another solver (one)"));
@@ -343,8 +345,8 @@ TEST_CASE("where only the reference was timed on a busy machine, it alone has th
   const auto a = values_around(1, 0.5), b = values_around(3, 0.5);
   judge::MetricSamples times = numbers("time", "time", "ms", {{"A", a}, {"B", b}, {"C", b}});
   times.groups[0].sample = judge::ExcludedSample{.reason = judge::ExclusionReason::not_comparable, .values = a};
-  const Table table = results_table(
-      answer_of({judged(shares({{"A", solved(20)}, {"B", solved(9)}, {"C", solved(8)}})), judged(std::move(times))}));
+  const Table table = results_table(make_report_model(
+      {judged(shares({{"A", solved(20)}, {"B", solved(9)}, {"C", solved(8)}})), judged(std::move(times))}));
   std::string marks;
   for (const auto& row : table.rows) marks += std::get<ValueCell>(row[2]).mark + ';';
   CHECK(marks == "!;;;");
@@ -357,7 +359,7 @@ TEST_CASE("a leader that no test reached is marked", "[show]") {
     return values;
   };
   const ReportModel of =
-      answer_of({judged(numbers("error", "error", "mm", {{"A", by(1, 2)}, {"B", by(2, 7)}, {"C", by(3, 7)}}))});
+      make_report_model({judged(numbers("error", "error", "mm", {{"A", by(1, 2)}, {"B", by(2, 7)}, {"C", by(3, 7)}}))});
   const Table table = results_table(of);
   const auto cell = [&](std::size_t row) { return std::get<ValueCell>(table.rows[row][1]); };
   CHECK(cell(0).mark == "!");
@@ -368,11 +370,11 @@ TEST_CASE("a leader that no test reached is marked", "[show]") {
 TEST_CASE("unpaired and paired values have tests of all solvers", "[show]") {
   judge::MetricSamples of = numbers("error", "error", "mm", {{"A", values_around(1, 1)}, {"B", values_around(2, 1)}});
   const results::AnalysisPlan by_means{.test = results::AnalysisPlan::Test::means};
-  CHECK(omnibus_table(answer_of({judged(of, by_means)})).rows.size() == 4);
-  CHECK(omnibus_table(answer_of({judged(of)})).rows.size() == 4);
+  CHECK(omnibus_table(make_report_model({judged(of, by_means)})).rows.size() == 4);
+  CHECK(omnibus_table(make_report_model({judged(of)})).rows.size() == 4);
   // The share of the groups is partial where that of blocks is left out.
   const auto has = [&](const char* title) {
-    const Table table = omnibus_table(answer_of({judged(of)}));
+    const Table table = omnibus_table(make_report_model({judged(of)}));
     const auto column = std::ranges::find(table.columns, title, &Column::name) - table.columns.begin();
     return std::holds_alternative<double>(table.rows[0].at(static_cast<std::size_t>(column)));
   };
@@ -381,9 +383,10 @@ TEST_CASE("unpaired and paired values have tests of all solvers", "[show]") {
   of.is_paired = true;
   CHECK_FALSE(has("eta squared"));
   CHECK(has("partial eta squared"));
-  CHECK(std::get<std::string>(omnibus_table(answer_of({judged(of)})).rows[0][1]) == "ANOVA of repeated measures");
+  CHECK(std::get<std::string>(omnibus_table(make_report_model({judged(of)})).rows[0][1]) ==
+        "ANOVA of repeated measures");
   of.groups[1].sample = judge::Sample{.values = {2}, .is_deterministic = true};
-  CHECK(omnibus_table(answer_of({judged(of)})).rows.empty());
+  CHECK(omnibus_table(make_report_model({judged(of)})).rows.empty());
 }
 
 TEST_CASE("a report without a picture has no folder of pictures", "[show]") {

@@ -73,7 +73,7 @@ ReportModel answer_with(const std::vector<double>& numbers, const std::vector<Co
       comparison.first = first, comparison.second = second, comparison.scale = EffectScale::ratio;
     }
   }
-  return answer_of({std::move(judged)});
+  return make_report_model({std::move(judged)});
 }
 
 // A fact that no finding bears out, or who is left out; empty if all is well.
@@ -104,7 +104,7 @@ std::string too_much(const ReportModel& answer) {
     return std::get<TestResult>(comparison->result).is_below_margin;
   };
   std::multiset<std::string> told;
-  for (const auto& [what, who, against, is_little] : statements_of(judged, all)) {
+  for (const auto& [what, who, against, is_little] : answer.questions.front().statements) {
     const Names& others = against.empty() ? who : against;
     told.insert(who.begin(), who.end());
     if (what == What::best) told.insert(against.begin(), against.end());
