@@ -201,12 +201,12 @@ void write_and_print(show::Report report, const std::filesystem::path& folder, c
     if (name != "none" && !is_there(name))
       warn(fmt::format("there is nothing to draw for {}; what it is of: ikbench list figures", name));
   if (arguments.is_json) {
-    base::OrderedJson json = show::to_json(report.answer);
+    base::OrderedJson json = show::to_json(report.model);
     json["files"] = written.files;
     return show_json(json);
   }
   const std::string page = written.page.string();
-  fmt::print("{}", printable(screen.empty() ? show::terminal_report(report.answer, page)
+  fmt::print("{}", printable(screen.empty() ? show::terminal_report(report.model, page)
                                             : fmt::format("{}Report: {}\n", screen, page)));
 }
 
@@ -228,7 +228,7 @@ bool show_answer(const Store& store, const StoredStudy& study, const std::option
   judge::StudyResults results = read_checked(store, study);
   const bool has_silent = print_never_answering(results, true);
   if (beside) judge::add_imported(results, *beside);
-  show_json(show::to_json(show::make_report(judge::judge(std::move(results)), {}).answer));
+  show_json(show::to_json(show::make_report(judge::judge(std::move(results)), {}).model));
   return has_silent;
 }
 

@@ -182,9 +182,7 @@ void add_slim2023(show::Report& reported, const papers::Repeated& repeated, cons
     }
   }
   // The paper does not compare evaluations. If a solver takes twice as many as another, a warning says so.
-  std::erase_if(reported.answer.metrics, [](const judge::JudgedMetric& metric) {
-    return metric.samples.quantity_kind == judge::QuantityKind::evaluations;
-  });
+  reported.model.remove_metrics(judge::QuantityKind::evaluations);
 }
 
 // Returns the figures of the paper's own study. Those of a table of arms are drawn elsewhere.
@@ -210,7 +208,7 @@ void report(const std::vector<judge::JudgedStudy>& studies, const Paper& paper, 
   const figures::Look look = is_slim2023 ? figures::look_of(own.study.series, style) : figures::look_of(own, style);
   show::Report reported = show::make_report(own, own_figures(own, paper, look));
   reported.has_own_numbers = is_slim2023 || has_arms;
-  reported.extra_warnings = further_warnings(repeated, reported.answer);
+  reported.extra_warnings = further_warnings(repeated, reported.model);
   if (is_slim2023) add_slim2023(reported, repeated, look, style);
   const std::vector<std::string> sentences =
       is_slim2023 ? slim2023::sentences(claims, counts) : papers::rates_sentences(repeated);

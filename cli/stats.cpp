@@ -78,11 +78,11 @@ show::Report judge_file(const StatsArguments& arguments, FigureStyle& style) {
     style = look.style;
   }
   const std::string direction = direction_text(metrics);
-  reported.answer = show::make_report_model(std::move(metrics));
-  reported.answer.direction = direction;
-  if (reported.answer.primary().samples.is_paired) reported.answer.noun = "blocks";
+  reported.model = show::make_report_model(std::move(metrics));
+  reported.model.direction = direction;
+  if (reported.model.primary().samples.is_paired) reported.model.noun = "blocks";
   reported.study.name = std::filesystem::path(source).filename().string();
-  reported.answer.notes = std::move(quantities.notes);
+  reported.model.notes = std::move(quantities.notes);
   return reported;
 }
 
@@ -96,10 +96,10 @@ void stats(const StatsArguments& arguments) {
   FigureStyle style;
   show::Report reported = judge_file(arguments, style);
   if (!arguments.out.empty()) return write_and_print(std::move(reported), arguments.out, arguments.report, style);
-  if (arguments.report.is_json) return show_json(show::to_json(reported.answer));
-  if (reported.answer.primary().comparisons.size() > show::max_pairs)
-    reported.answer.notes.emplace_back("--out FOLDER writes a report with all pairs.");
-  fmt::print("{}", printable(show::terminal_report(reported.answer, "")));
+  if (arguments.report.is_json) return show_json(show::to_json(reported.model));
+  if (reported.model.primary().comparisons.size() > show::max_pairs)
+    reported.model.notes.emplace_back("--out FOLDER writes a report with all pairs.");
+  fmt::print("{}", printable(show::terminal_report(reported.model, "")));
 }
 
 // Prints the question with the commands that answer it.

@@ -23,41 +23,51 @@ using namespace judge;
 
 namespace {
 
-// "DLS against PSO: better, A12 = 0.75, p = 0.0469"
-std::string told(const Comparison& its, const JudgedMetric& judged) {
-  std::string text = fmt::format("{} against {}: {}", its.first, its.second, comparison_text(its, judged));
-  const auto* const tested = std::get_if<TestResult>(&its.result);
-  if (tested && tested->hedges_g)
+// Returns "DLS against PSO: better, A12 = 0.75, p = 0.0469".
+std::string pair_text(const Comparison& comparison, const JudgedMetric& judged) {
+  std::string text =
+      fmt::format("{} against {}: {}", comparison.first, comparison.second, comparison_text(comparison, judged));
+  const auto* const tested = std::get_if<TestResult>(&comparison.result);
+  if (!tested) return text;
+  if (tested->hedges_g)
     text += fmt::format(", {} = {}", judged.samples.is_paired ? "g_av" : "g", number_text(*tested->hedges_g));
-  else if (tested && tested->dominance && !is_success_rate(judged))
+  else if (tested->dominance && !is_success_rate(judged))
     text += fmt::format(", A12 = {}", number_text(tested->dominance->a12()));
-  const std::string p = tested ? p_text(tested->adjusted_p, {judged.plan.significance}) : "";
-  return text + (p.empty() ? "" : p[0] == '<' ? ", p " + p : ", p = " + p);
+  const std::string p = p_text(tested->adjusted_p, {judged.plan.significance});
+  return text + (p[0] == '<' ? ", p " : ", p = ") + p;
 }
 
-// The pairs of a metric, if few, else how many have each verdict, and by which tests.
-std::string pairs_of(const ReportModel& answer, const JudgedMetric& judged) {
+// Returns " by signed ranks (n = 5 to 20 targets)".
+std::string tests_text(const std::set<std::string>& tests, const std::set<int>& sizes, const std::string& noun) {
+  if (sizes.empty()) return "";
+  const std::string smallest = sizes.size() == 1 ? "" : fmt::format("{} to ", *sizes.begin());
+  return fmt::format(", by {} (n = {}{})", listed({tests.begin(), tests.end()}), smallest,
+                     base::counted(*sizes.rbegin(), noun));
+}
+
+// Returns a sentence about the pairs of a metric: each of them, or of many how often each verdict is.
+std::string pairs_sentence(const ReportModel& model, const JudgedMetric& judged) {
   std::map<std::string_view, int> counts;
   std::set<std::string> tests;
   std::set<int> sizes;
   std::vector<std::string> parts;
-  for (const Comparison& its : judged.comparisons) {
-    const Verdict verdict = verdict_of(its);
+  for (const Comparison& comparison : judged.comparisons) {
+    const Verdict verdict = verdict_of(comparison);
     ++counts[is_difference(verdict) ? "decided" : judge::name_of(verdict)];
-    if (judged.comparisons.size() <= max_pairs) parts.push_back(told(its, judged));
-    if (const auto* const tested = std::get_if<TestResult>(&its.result))
-      tests.insert(std::string(tested->test)), sizes.insert(tested->n);
+    if (judged.comparisons.size() <= max_pairs) parts.push_back(pair_text(comparison, judged));
+    if (const auto* const tested = std::get_if<TestResult>(&comparison.result)) {
+      tests.insert(std::string(tested->test));
+      sizes.insert(tested->n);
+    }
   }
   if (parts.empty()) {
     for (const auto& [verdict, count] : counts) parts.push_back(fmt::format("{} {}", count, verdict));
     parts = {fmt::format("{} pairs ({})", judged.comparisons.size(), listed(parts))};
   }
-  const std::string by = sizes.empty() ? ""
-                                       : fmt::format(", by {} (n = {}{})", listed({tests.begin(), tests.end()}),
-                                                     sizes.size() == 1 ? "" : fmt::format("{} to ", *sizes.begin()),
-                                                     base::counted(*sizes.rbegin(), observation_noun(answer, judged)));
-  const std::string text = fmt::format("{}{}: {}.", judged.samples.quantity, by, fmt::join(parts, "; "));
-  return answer.direction.empty() ? as_sentence(text) : text;  // else its name is the user's
+  const std::string text =
+      fmt::format("{}{}: {}.", judged.samples.quantity, tests_text(tests, sizes, observation_noun(model, judged)),
+                  fmt::join(parts, "; "));
+  return model.direction.empty() ? as_sentence(text) : text;  // a user's name of a metric keeps its first letter
 }
 
 }  // namespace
@@ -68,14 +78,14 @@ Table article_table(const Table& whole, const Report& report) {
   const std::string& name = report.study.name;
   if (!name.empty()) table.name = fmt::format("{}-{}", anchor_id(name), table.name);
   if (table.is_of_study && !name.empty())
-    table.caption += fmt::format("{} {}", table.caption.ends_with('?') ? "" : ".",
-                                 report.answer.study_text.empty() ? std::filesystem::path(name).stem().string() + '.'
-                                                                  : report.answer.study_text);
+    table.caption += fmt::format(
+        "{} {}", table.caption.ends_with('?') ? "" : ".",
+        report.model.study_text.empty() ? std::filesystem::path(name).stem().string() + '.' : report.model.study_text);
   return table;
 }
 
 std::string methods_paragraph(const Report& report, const std::string& program) {
-  const ReportModel& answer = report.answer;
+  const ReportModel& model = report.model;
   const bool is_of_file = report.study.series.empty();
   std::vector<std::string> facts, sentences;
   for (const Table& table : setup_tables(report))
@@ -83,9 +93,9 @@ std::string methods_paragraph(const Report& report, const std::string& program) 
       facts.push_back(fmt::format("{}: {}", std::get<std::string>(row[0]), std::get<std::string>(row[1])));
   if (is_of_file) {
     sentences.push_back(fmt::format("{} of {} were compared; {}",
-                                    base::counted(std::ssize(answer.primary().descriptives), "groups"),
-                                    report.study.name, answer.direction));
-    sentences.insert(sentences.end(), answer.notes.begin(), answer.notes.end());
+                                    base::counted(std::ssize(model.primary().descriptives), "groups"),
+                                    report.study.name, model.direction));
+    sentences.insert(sentences.end(), model.notes.begin(), model.notes.end());
   } else {
     sentences.push_back(listed(report.study.labels) + " were compared");
   }
@@ -97,15 +107,15 @@ std::string methods_paragraph(const Report& report, const std::string& program) 
   return fmt::format("{}", fmt::join(sentences, ". "));
 }
 
-std::vector<std::string> results_sentences(const ReportModel& answer) {
-  std::vector<std::string> sentences{headline(answer)};
-  const bool are_two = answer.primary().descriptives.size() == 2;
-  for (const JudgedMetric& judged : answer.metrics) {
-    if (!judged.comparisons.empty() && (are_two || answer.is_in_headline(judged)))
-      sentences.push_back(pairs_of(answer, judged));
+std::vector<std::string> results_sentences(const ReportModel& model) {
+  std::vector<std::string> sentences{headline(model)};
+  const bool are_two = model.primary().descriptives.size() == 2;
+  for (const JudgedMetric& judged : model.metrics) {
+    if (!judged.comparisons.empty() && (are_two || model.is_in_headline(judged)))
+      sentences.push_back(pairs_sentence(model, judged));
   }
-  if (const std::string decides = ranking_note(answer); !decides.empty()) sentences.push_back(decides + '.');
-  for (const Warning& warning : answer.all_warnings()) sentences.push_back(warning_sentence(warning));
+  if (const std::string ranking = ranking_note(model); !ranking.empty()) sentences.push_back(ranking + '.');
+  for (const Warning& warning : model.all_warnings()) sentences.push_back(warning_sentence(warning));
   std::erase(sentences, "");
   return sentences;
 }
@@ -117,7 +127,7 @@ void write_article(const Report& report, const std::vector<std::string>& tables,
     base::write_file(folder / "article" / name, text);
   };
   const std::string methods = methods_paragraph(report, program);
-  std::vector<std::string> sentences, of_report = results_sentences(report.answer);
+  std::vector<std::string> sentences, of_report = results_sentences(report.model);
   for (const Block& block : report.lead) {  // of a paper what repeats, before its table
     if (std::holds_alternative<Table>(block)) break;
     if (const auto* const heading = std::get_if<Heading>(&block)) sentences.push_back(heading->text);

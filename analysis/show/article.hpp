@@ -11,7 +11,7 @@ namespace ikbench::show {
 
 // A paragraph of methods, the set-up without the last point. And one of results.
 std::string methods_paragraph(const Report& report, const std::string& program);
-std::vector<std::string> results_sentences(const ReportModel& answer);
+std::vector<std::string> results_sentences(const ReportModel& model);
 
 // The table as an article has it: its name and caption say of what.
 Table article_table(const Table& whole, const Report& report);

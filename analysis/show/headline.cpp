@@ -66,13 +66,13 @@ std::string not_comparable_text(const JudgedMetric& judged, std::string reason) 
 
 // Returns why pairs of these solvers are not tested: " (8 runs are too few, 10 are needed)", " (the machine was busy)".
 // Empty if they have several reasons.
-std::string not_tested_text(const ReportModel& answer, const JudgedMetric& judged, const Names& solvers) {
+std::string not_tested_text(const ReportModel& model, const JudgedMetric& judged, const Names& solvers) {
   std::set<std::string> reasons;
   const std::set<std::string_view> names(solvers.begin(), solvers.end());
   for (const Comparison& comparison : judged.comparisons) {
     const auto* const not_tested = std::get_if<NotTested>(&comparison.result);
     if (!not_tested || (!names.contains(comparison.first) && !names.contains(comparison.second))) continue;
-    std::string reason = reason_text(*not_tested, observation_noun(answer, judged));
+    std::string reason = reason_text(*not_tested, observation_noun(model, judged));
     if (not_tested->reason == NotTestedReason::not_comparable) reason = not_comparable_text(judged, std::move(reason));
     reasons.insert(std::move(reason));
   }
@@ -402,26 +402,26 @@ class QuestionTeller {
 
 }  // namespace
 
-std::string tie_breaker_sentence(const ReportModel& answer) {
-  if (answer.questions.size() < 2) return "";
-  return QuestionTeller(answer, answer.questions.back()).tie_breaker_sentence();
+std::string tie_breaker_sentence(const ReportModel& model) {
+  if (model.questions.size() < 2) return "";
+  return QuestionTeller(model, model.questions.back()).tie_breaker_sentence();
 }
 
-std::string headline(const ReportModel& answer) {
-  if (!answer.verdict.empty()) return answer.verdict;
-  const std::string first = QuestionTeller(answer, answer.questions.front()).primary_sentence();
-  const std::string second = tie_breaker_sentence(answer);
+std::string headline(const ReportModel& model) {
+  if (!model.verdict.empty()) return model.verdict;
+  const std::string first = QuestionTeller(model, model.questions.front()).primary_sentence();
+  const std::string second = tie_breaker_sentence(model);
   return second.empty() ? first : first + ' ' + second;
 }
 
-std::string ranking_note(const ReportModel& answer) {
+std::string ranking_note(const ReportModel& model) {
   const auto has_winner = [&](const JudgedMetric& judged) {
-    return &judged != &answer.primary() && !beaten_solvers(judged.comparisons).empty();
+    return &judged != &model.primary() && !beaten_solvers(judged.comparisons).empty();
   };
-  if (!answer.verdict.empty() || std::ranges::none_of(answer.metrics, has_winner)) return "";
-  const std::string first = "Judged by " + answer.primary().samples.quantity;
-  if (answer.questions.size() < 2) return first;
-  return fmt::format("{}, then {}", first, answer.metrics[answer.questions.back().metric].samples.quantity);
+  if (!model.verdict.empty() || std::ranges::none_of(model.metrics, has_winner)) return "";
+  const std::string first = "Judged by " + model.primary().samples.quantity;
+  if (model.questions.size() < 2) return first;
+  return fmt::format("{}, then {}", first, model.metrics[model.questions.back().metric].samples.quantity);
 }
 
 }  // namespace ikbench::show

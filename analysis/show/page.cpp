@@ -82,8 +82,8 @@ struct PageWriter {
 };
 
 // The first section: the sentence, what was studied, and side by side the table and the arm.
-std::string answer(const std::string& title, const Blocks& blocks, const PageWriter& write, const std::string& contents,
-                   std::string_view stage) {
+std::string lead_section(const std::string& title, const Blocks& blocks, const PageWriter& write,
+                         const std::string& contents, std::string_view stage) {
   std::string head, body;
   for (const Block& block : blocks) {
     if (const auto* heading = std::get_if<Heading>(&block); heading && head.empty())
@@ -126,9 +126,9 @@ struct MarkdownWriter {
   std::string operator()(const std::string& text) const { return markdown_text(text) + "\n\n"; }
   std::string operator()(const Table& table) const {
     const Table open = told_of(table);
-    const std::string more = open.rows.size() == table.rows.size() ? ""
-                             : table.name.empty()                  ? "report.html"
-                                                                   : fmt::format("tables/{}.csv", table.name);
+    std::string more;  // the file with the other rows
+    if (open.rows.size() < table.rows.size())
+      more = table.name.empty() ? "report.html" : fmt::format("tables/{}.csv", table.name);
     if (open.rows.empty() && !more.empty()) return fmt::format("{}: {}\n\n", markdown_text(table.caption), more);
     return fmt::format("**{}**\n\n{}\n{}", markdown_text(table.caption), to_markdown(open),
                        more.empty() ? "" : fmt::format("{} more: {}\n\n", table.rows.size() - open.rows.size(), more));
@@ -170,8 +170,8 @@ std::string to_html_page(const std::string& title, const std::vector<Blocks>& se
               fmt::format("<script type=\"application/json\" id=\"motion-data\">{}</script>\n", *arm) +
               script(template_named("moving_arm.js"));
   const std::span rest(sections.begin() + 1, sections.end());
-  std::string text = answer(title, sections.front(), write, contents_of(rest),
-                            arm ? template_named("stage.html") : std::string_view());
+  std::string text = lead_section(title, sections.front(), write, contents_of(rest),
+                                  arm ? template_named("stage.html") : std::string_view());
   for (const Blocks& blocks : rest) text += section(blocks, write);
   return fill_template("page.html", {{"title", html_text(title)},
                                      {"style", std::string(template_named("page.css"))},

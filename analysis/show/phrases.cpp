@@ -17,13 +17,22 @@ using namespace judge;
 
 namespace {
 
-// "5 mm"; empty for none.
-std::string limit(double value, std::string_view unit) {
+// Returns "5 mm"; empty for 0, which is no limit.
+std::string limit_text(double value, std::string_view unit) {
   return value > 0 ? fmt::format("{}{}", number_text(value), unit) : "";
 }
 
-// "1 iteration", "200 iterations"; empty for none.
-std::string limited(std::int64_t count, std::string_view nouns) { return count > 0 ? base::counted(count, nouns) : ""; }
+// Returns "1 iteration" or "200 iterations"; empty for 0, which is no limit.
+std::string count_limit_text(std::int64_t count, std::string_view nouns) {
+  return count > 0 ? base::counted(count, nouns) : "";
+}
+
+// Returns why a solve that is not solved ended.
+std::string failure_reason(const SolveSummary& solve) {
+  if (!results::is_sound(solve.status)) return with_spaces(results::name_of(solve.status));
+  if (solve.stop_reason == results::StopReason::finished) return "it gave up";
+  return "limit of " + with_spaces(results::name_of(solve.stop_reason));
+}
 
 }  // namespace
 
@@ -39,9 +48,9 @@ void NamesByPhrase::add(const std::string& word, const std::string& name) {
 }
 
 std::vector<std::string> NamesByPhrase::formatted(const char* form) const {
-  std::vector<std::string> told;
-  for (const auto& [word, names] : entries) told.push_back(fmt::format(fmt::runtime(form), word, names_of(names)));
-  return told;
+  std::vector<std::string> texts;
+  for (const auto& [word, names] : entries) texts.push_back(fmt::format(fmt::runtime(form), word, names_of(names)));
+  return texts;
 }
 
 std::string margin_text(const JudgedMetric& judged) {
@@ -100,9 +109,15 @@ std::string warning_sentence(const Warning& warning) {
 
 std::string estimate_unit(const Comparison& comparison, const JudgedMetric& judged) {
   if (!comparison.estimate) return "";
-  return comparison.scale == EffectScale::ratio   ? "times"
-         : comparison.scale == EffectScale::share ? "points"
-                                                  : judged.samples.unit;
+  switch (comparison.scale) {
+    case EffectScale::ratio:
+      return "times";
+    case EffectScale::share:
+      return "points";
+    case EffectScale::difference:
+      return judged.samples.unit;
+  }
+  return "";
 }
 
 std::string dominance_text(const Comparison& comparison) {
@@ -122,11 +137,13 @@ std::set<double> null_and_margin(const Comparison& comparison, const JudgedMetri
 
 std::string budget_text(const StudyResults& study) {
   const numerics::StopRule& stop = study.definition.stop;
-  std::vector<std::string> tolerances{limit(10 * stop.tolerance_cm(), " mm"), limit(stop.tolerance_deg(), " deg")};
+  std::vector<std::string> tolerances{limit_text(10 * stop.tolerance_cm(), " mm"),
+                                      limit_text(stop.tolerance_deg(), " deg")};
   std::erase(tolerances, "");
   std::vector<std::string> stops{listed(tolerances) + (stop.adds_squares ? " (squares added)" : ""),
-                                 limited(stop.iterations, "iterations"), limited(stop.evaluations, "evaluations"),
-                                 limit(1000 * stop.seconds, " ms")};
+                                 count_limit_text(stop.iterations, "iterations"),
+                                 count_limit_text(stop.evaluations, "evaluations"),
+                                 limit_text(1000 * stop.seconds, " ms")};
   std::erase(stops, "");
   return listed(stops, " or ");
 }
@@ -137,11 +154,7 @@ std::string failure_reasons_text(const StudyResults& study) {
   for (const std::string& label : study.labels) {
     std::set<std::string> of_label;
     for (const SolveSummary& solve : study.of(label)) {
-      if (solve.status != results::Status::ok)
-        of_label.insert(!results::is_sound(solve.status) ? with_spaces(results::name_of(solve.status))
-                        : solve.stop_reason == results::StopReason::finished
-                            ? "it gave up"
-                            : "limit of " + with_spaces(results::name_of(solve.stop_reason)));
+      if (solve.status != results::Status::ok) of_label.insert(failure_reason(solve));
     }
     if (!of_label.empty()) reasons.add(listed({of_label.begin(), of_label.end()}, " or "), label);
   }

@@ -38,7 +38,7 @@ bool may_be_of_report(const fs::path& file) {
 }
 
 // The results.json of a folder, or an empty object; a link may be to another folder's.
-Json results_sentences(const fs::path& folder) {
+Json earlier_results(const fs::path& folder) {
   std::error_code none;
   const fs::path file = folder / own_files[2];
   const auto text = fs::is_symlink(file, none) ? std::nullopt : base::read_file(file);
@@ -130,7 +130,7 @@ std::vector<std::string> reserve_files(const fs::path& folder, std::vector<std::
       throw std::invalid_argument(fmt::format("'{}' is a link; remove it, or choose another folder", place.string()));
   }
   files.emplace_back(own_files[2]);
-  Json results = results_sentences(folder);
+  Json results = earlier_results(folder);
   std::set<std::string> all;
   if (results.contains("files") && results["files"].is_array())
     for (const Json& file : results["files"])
@@ -185,13 +185,13 @@ WrittenReport write_report(const Report& report, const fs::path& folder, const f
   if (!report.study.series.empty() && fs::is_regular_file(folder / own_files[3])) files.emplace_back(own_files[3]);
   std::ranges::sort(files);
   remove_earlier(folder, earlier, files);
-  Json json = to_json(report.answer);
+  Json json = to_json(report.model);
   json["files"] = files;
   base::write_file(folder / own_files[2], base::text_of(json, 1) + '\n');
   leave_out_undrawn(sections, folder, written.warnings);
   written.warnings.insert(written.warnings.end(), unused.begin(), unused.end());
   base::write_file(folder / "report.md", to_markdown(sections, folder));
-  std::optional<std::string> arm = animation_json(report.study, report.answer.solvers());
+  std::optional<std::string> arm = animation_json(report.study, report.model.solvers());
   if (arm && threejs_source().empty()) {
     written.warnings.emplace_back("the page has no moving arm: this ikbench was built without three.js");
     arm.reset();

@@ -29,7 +29,7 @@ Table solves_table(const Report& report) {
               .columns = named_columns({"solver", "solves", "failed"})};
   for (const char* of_times : {"median", "95 %", "99 %", "largest"}) table.columns.push_back({of_times, "ms"});
   const bool are_single = std::ranges::all_of(study.sessions, judge::uses_current_clock);
-  for (const std::string& solver : report.answer.solvers()) {
+  for (const std::string& solver : report.model.solvers()) {
     const Solves all = study.of(solver);
     if (all.size() < 2 || study.imported.has(solver)) continue;
     const auto failed = std::ranges::count_if(all, [&](const SolveSummary& solve) { return has_failed(study, solve); });
@@ -58,7 +58,7 @@ Table extras_table(const Report& report) {
   Table table{
       .name = "extras", .caption = "Numbers of the solvers' own, medians", .columns = named_columns({"solver"})};
   for (const auto& [name, by_solver] : study.extras) table.columns.push_back({name});
-  for (const std::string& solver : report.answer.solvers()) {
+  for (const std::string& solver : report.model.solvers()) {
     std::vector<Cell> row{solver};
     for (const auto& [name, by_solver] : study.extras) {
       const auto values = by_solver.find(solver);
@@ -86,14 +86,14 @@ Table options_table(const StudyResults& study) {
 }  // namespace
 
 Report make_report(JudgedStudy judged, std::vector<figures::Figure> figures) {
-  Report report{.answer = make_report_model(judged), .figures = std::move(figures)};
+  Report report{.model = make_report_model(judged), .figures = std::move(figures)};
   report.study = std::move(judged.study);
   return report;
 }
 
 std::vector<Table> setup_tables(const Report& report) {
   const StudyResults& study = report.study;
-  const JudgedMetric& decisive = report.answer.primary();
+  const JudgedMetric& decisive = report.model.primary();
   const results::StudyDefinition& definition = study.definition;
   const std::vector<Column> columns{{"what"}, {"value"}};
   Table of_study{.caption = "Study", .columns = columns}, machine{.caption = "Machine", .columns = columns};
@@ -125,13 +125,13 @@ std::vector<Table> setup_tables(const Report& report) {
       add(of_study, "departs from the published study", departure);
   }
   std::set<std::string> tests;
-  for (const JudgedMetric& judged : report.answer.metrics) {
+  for (const JudgedMetric& judged : report.model.metrics) {
     for (const Comparison& comparison : judged.comparisons)
       if (const auto* const tested = std::get_if<TestResult>(&comparison.result))
         tests.insert(std::string(tested->test));
   }
   add(of_study, "tests of pairs", listed_of(tests));
-  const std::size_t metrics = report.answer.named_metrics;
+  const std::size_t metrics = report.model.named_metrics;
   if (!tests.empty())
     add(of_study, "significance",
         fmt::format("{}, divided by the pairs of a metric{} (Bonferroni); a difference within {} does not matter",
@@ -147,11 +147,11 @@ std::vector<Blocks> report_sections(const Report& report) {
   std::vector<Blocks> sections{report.lead};
   const bool is_of_study = !report.study.series.empty();  // else of a user's file
   std::vector<std::string> warnings;
-  for (const Warning& warning : report.answer.all_warnings()) warnings.push_back(warning_sentence(warning));
+  for (const Warning& warning : report.model.all_warnings()) warnings.push_back(warning_sentence(warning));
   if (report.lead.empty()) {
-    sections[0] = {Heading{headline(report.answer)}};
-    if (is_of_study) sections[0].emplace_back(report.answer.study_text);
-    Table results = results_table(report.answer);
+    sections[0] = {Heading{headline(report.model)}};
+    if (is_of_study) sections[0].emplace_back(report.model.study_text);
+    Table results = results_table(report.model);
     results.notes.insert(results.notes.end(), warnings.begin(), warnings.end());
     warnings.clear();
     sections[0].emplace_back(std::move(results));
@@ -168,19 +168,18 @@ std::vector<Blocks> report_sections(const Report& report) {
   };
   if (!report.claims.empty()) sections.push_back(report.claims);
   add("Pictures", {report.figures.begin(), report.figures.end()});
-  for (const auto& [heading, table] : report.answer.extra_tables) add(heading, {table});
+  for (const auto& [heading, table] : report.model.extra_tables) add(heading, {table});
   std::ranges::copy(report.extra_sections, std::back_inserter(sections));
-  add("Who is better?", {pairs_table(report.answer)});
+  add("Who is better?", {pairs_table(report.model)});
   if (!report.has_own_numbers) {
-    Table numbers = descriptives_table(report.answer), solves = solves_table(report),
-          all = omnibus_table(report.answer);
+    Table numbers = descriptives_table(report.model), solves = solves_table(report), all = omnibus_table(report.model);
     numbers.visible_rows = solves.visible_rows = 0;
     add("All numbers", {std::move(numbers), std::move(solves), extras_table(report)});
     const auto is_first = [&](const auto& row) {
-      return std::get<std::string>(row[0]) == report.answer.primary().samples.quantity;
+      return std::get<std::string>(row[0]) == report.model.primary().samples.quantity;
     };
     all.visible_rows = static_cast<std::size_t>(std::ranges::count_if(all.rows, is_first));
-    if (report.answer.primary().plan.test == results::AnalysisPlan::Test::means)
+    if (report.model.primary().plan.test == results::AnalysisPlan::Test::means)
       add("All solvers at once", {std::move(all)});
   }
   warnings.insert(warnings.end(), report.extra_warnings.begin(), report.extra_warnings.end());

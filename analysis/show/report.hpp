@@ -14,7 +14,7 @@ namespace ikbench::show {
 // What sections are made of.
 struct Report {
   judge::StudyResults study;  // a user's file: its name alone
-  ReportModel answer;
+  ReportModel model;
   std::vector<figures::Figure> figures;
   // Of a paper: instead of the sentence and the table of results; its claims; and sections of its own, each with its
   // heading.

@@ -34,22 +34,61 @@ JudgedMetric in_unit(JudgedMetric judged, double factor, std::string unit) {
     if (auto* const measured = std::get_if<Sample>(&group.sample); measured && !is_log_scale(samples))
       scale_all(measured->values);
     if (auto* const printed = std::get_if<SummaryStatistics>(&group.sample)) scale(factor, printed->mean, printed->sd);
-    if (auto* const its = std::get_if<ExcludedSample>(&group.sample); its && !is_log_scale(samples))
-      scale_all(its->values);
+    if (auto* const excluded = std::get_if<ExcludedSample>(&group.sample); excluded && !is_log_scale(samples))
+      scale_all(excluded->values);
   }
-  for (Descriptives& its : judged.descriptives)
-    scale(factor, its.mean, its.sd, its.median, its.lower_quartile, its.upper_quartile, its.quantile_95, its.smallest,
-          its.largest);
+  for (Descriptives& values : judged.descriptives)
+    scale(factor, values.mean, values.sd, values.median, values.lower_quartile, values.upper_quartile,
+          values.quantile_95, values.smallest, values.largest);
   for (Comparison& comparison : judged.comparisons) {
-    auto& amount = comparison.estimate;
-    if (!amount || comparison.scale == EffectScale::ratio) continue;
-    scale(factor, amount->value);
-    if (amount->interval) scale(factor, amount->interval->low, amount->interval->high);
+    auto& estimate = comparison.estimate;
+    if (!estimate || comparison.scale == EffectScale::ratio) continue;
+    scale(factor, estimate->value);
+    if (estimate->interval) scale(factor, estimate->interval->low, estimate->interval->high);
   }
   return judged;
 }
 
-// Of a control loop; without rows if the study has none.
+// What a solver did in a control loop, over all its solves.
+struct LoopCounts {
+  double solves = 0, failed = 0, late = 0;
+  double steps = 0, too_fast = 0;  // between two targets of a run
+  double largest_step_deg = 0;
+  std::int64_t late_in_a_row = 0;  // most
+  bool is_timed = true;            // each solve alone, in a release build
+};
+
+LoopCounts count_loop(const StudyResults& study, const Solves& solves) {
+  LoopCounts counts;
+  std::int64_t in_a_row = 0;
+  for (const SolveSummary& solve : solves) {
+    ++counts.solves;
+    counts.is_timed &= solve.timing == results::Timing::clean || solve.timing == results::Timing::process;
+    counts.failed += has_failed(study, solve);
+    counts.late += solve.missed_deadline;
+    if (!solve.missed_deadline || solve.point == 1) in_a_row = 0;
+    in_a_row += solve.missed_deadline;
+    counts.late_in_a_row = std::max(counts.late_in_a_row, in_a_row);
+    if (solve.point == 1) continue;
+    ++counts.steps;
+    counts.too_fast += solve.exceeds_velocity;
+    counts.largest_step_deg = std::max(counts.largest_step_deg, solve.largest_move_deg);
+  }
+  return counts;
+}
+
+// Returns "joint 7" for each joint without a known velocity limit.
+std::vector<std::string> unlimited_joints(const StudyResults& study) {
+  const auto& max_steps = study.definition.max_steps;
+  std::vector<std::string> names;
+  for (std::size_t j = 0; j < max_steps.size(); ++j)
+    if (std::isinf(max_steps[j].first)) names.push_back(fmt::format("joint {}", j + 1));
+  return names;
+}
+
+Cell percent_cell(double count, double whole) { return whole > 0 ? Cell(100 * count / whole) : Cell(); }
+
+// Returns the table of a control loop; without rows if the study has none.
 Table loop_table(const StudyResults& study, const std::vector<std::string>& solvers) {
   const double period = study.definition.loop.period;
   const std::vector<double> ends{0, 100};
@@ -61,34 +100,18 @@ Table loop_table(const StudyResults& study, const std::vector<std::string>& solv
                           {"late in a row"},
                           {"largest step", "deg"},
                           {.name = "too fast", .unit = "%", .boundaries = ends}}};
-  const auto& all_steps = study.definition.max_steps;
-  std::vector<std::string> unlimited;
-  for (std::size_t j = 0; j < all_steps.size(); ++j)
-    if (std::isinf(all_steps[j].first)) unlimited.push_back(fmt::format("joint {}", j + 1));
+  const std::vector<std::string> unlimited = unlimited_joints(study);
+  const bool has_limits = unlimited.size() < study.definition.max_steps.size();
   bool is_all_timed = true;
   for (const std::string& solver : solvers) {
-    const Solves all = study.of(solver);
-    if (period == 0 || all.empty()) continue;
-    double failed = 0, late = 0, steps = 0, too_fast = 0, largest = 0;
-    std::int64_t in_a_row = 0, most = 0;
-    bool is_timed = true;
-    for (const SolveSummary& solve : all) {
-      is_timed &= solve.timing == results::Timing::clean || solve.timing == results::Timing::process;
-      failed += has_failed(study, solve);
-      late += solve.missed_deadline;
-      in_a_row = solve.missed_deadline ? 1 + (solve.point > 1 ? in_a_row : 0) : 0;
-      most = std::max(most, in_a_row);
-      if (solve.point == 1) continue;
-      ++steps;
-      too_fast += solve.exceeds_velocity;
-      largest = std::max(largest, solve.largest_move_deg);
-    }
-    is_all_timed &= is_timed;
-    const auto percent = [](double count, double of) { return of > 0 ? Cell(100 * count / of) : Cell(); };
-    const auto n = static_cast<double>(all.size());
-    table.rows.push_back({solver, percent(failed, n), is_timed ? percent(late, n) : Cell(),
-                          is_timed ? Cell(most) : Cell(), largest,
-                          unlimited.size() == all_steps.size() ? Cell() : percent(too_fast, steps)});
+    const Solves solves = study.of(solver);
+    if (period == 0 || solves.empty()) continue;
+    const LoopCounts counts = count_loop(study, solves);
+    is_all_timed &= counts.is_timed;
+    table.rows.push_back({solver, percent_cell(counts.failed, counts.solves),
+                          counts.is_timed ? percent_cell(counts.late, counts.solves) : Cell(),
+                          counts.is_timed ? Cell(counts.late_in_a_row) : Cell(), counts.largest_step_deg,
+                          has_limits ? percent_cell(counts.too_fast, counts.steps) : Cell()});
   }
   table.notes = {
       "Steps are of one joint that turns, between two targets; late: longer than the period, or without an answer."};
@@ -98,36 +121,82 @@ Table loop_table(const StudyResults& study, const std::vector<std::string>& solv
   return table;
 }
 
-// Of solvers of another machine and of those of this one; without rows if there are none.
-Table beside_table(const StudyResults& study, const std::vector<std::string>& solvers) {
+// Returns the times of imported solvers and of the study's own; without rows if none are imported.
+Table imported_table(const StudyResults& study, const std::vector<std::string>& solvers) {
   Table table{.name = "beside",
               .caption = "Times as multiples of LM's on the same machine, not tested",
               .columns = {{"solver"}, {"median", "times"}, {"95 %", "times"}, {"measured"}}};
   const auto lm = std::ranges::find(study.series, study.imported.local_reference, &results::Series::label);
   if (study.imported.labels.empty() || lm == study.series.end()) return table;
-  const double here = describe_values(solve_times(study, lm->label)).median;
+  const double local_seconds = describe_values(solve_times(study, lm->label)).median;
   for (const std::string& solver : solvers) {
-    const Descriptives its = describe_values(solve_times(study, solver));
-    const bool is_there = study.imported.has(solver);
-    const double unit = is_there ? study.imported.reference_seconds : here;
+    const Descriptives times = describe_values(solve_times(study, solver));
+    const bool is_imported = study.imported.has(solver);
+    const double unit = is_imported ? study.imported.reference_seconds : local_seconds;
     table.rows.push_back(
-        {solver, its.median / unit, its.quantile_95 / unit, is_there ? study.imported.origin : "in this run"});
+        {solver, times.median / unit, times.quantile_95 / unit, is_imported ? study.imported.origin : "in this run"});
   }
   return table;
 }
 
-// Times in batches, which are no single call's; without rows if there are none.
+// Returns the times per pose in batches, which no single call has; without rows if there are none.
 Table batches_table(const StudyResults& study) {
   Table table{.name = "batches",
               .caption = "The time of a pose in a batch, solved or not, not tested",
               .columns = {{"solver"}, {"in batches of"}, {"median", "ms"}, {"95 %", "ms"}}};
-  for (const auto& [solver, its] : study.batch_timings) {
-    if (its.second.empty()) continue;
-    const Descriptives all = describe_values(its.second);
+  for (const auto& [solver, sizes_and_times] : study.batch_timings) {
+    const auto& [sizes, seconds] = sizes_and_times;
+    if (seconds.empty()) continue;
+    const Descriptives times = describe_values(seconds);
     table.rows.push_back(
-        {solver, fmt::format("{}", fmt::join(its.first, ", ")), 1000 * all.median, 1000 * all.quantile_95});
+        {solver, fmt::format("{}", fmt::join(sizes, ", ")), 1000 * times.median, 1000 * times.quantile_95});
   }
   return table;
+}
+
+// True if two metrics' warnings say the same, perhaps with other details.
+bool are_one(const Warning& known, const Warning& warning) {
+  if (known.kind != warning.kind) return false;
+  if (warning.kind == WarningKind::time_limit_decides && known.detail == warning.detail) return true;
+  return known.solvers == warning.solvers && known.count == warning.count && known.total == warning.total;
+}
+
+// Orders the comparisons of a metric by their solvers' places in its order, and puts the better solver of each first.
+void order_comparisons(JudgedMetric& judged, const std::vector<std::size_t>& order) {
+  std::map<std::string_view, std::size_t> places;
+  for (const std::size_t group : order) places.emplace(judged.samples.groups[group].name, places.size());
+  // A map, because a sort of many pairs would look up the names again and again.
+  std::multimap<std::pair<std::size_t, std::size_t>, Comparison> by_place;
+  for (Comparison& comparison : judged.comparisons) {
+    const std::size_t first = places.at(comparison.first), second = places.at(comparison.second);
+    by_place.emplace(std::minmax(first, second),
+                     better_first(std::move(comparison), judged.plan.control, second < first));
+  }
+  auto next = judged.comparisons.begin();
+  for (auto& [place, comparison] : by_place) *next++ = std::move(comparison);
+}
+
+// Returns the notes below the table of results that are about the study.
+std::vector<std::string> study_notes(const JudgedStudy& judged) {
+  const results::StudyDefinition& definition = judged.study.definition;
+  const bool are_runs = definition.compares_runs();
+  std::vector<std::string> notes;
+  if (are_runs ? definition.points > 1 : definition.runs > 1 && !definition.draws_targets)
+    notes.push_back(
+        fmt::format("Each {} is the mean of its {}.", are_runs ? "run" : "target", are_runs ? "targets" : "runs"));
+  const auto is_time = [](const JudgedMetric& metric) { return metric.samples.quantity_kind == QuantityKind::time; };
+  if (std::ranges::any_of(judged.metrics, is_time) &&
+      std::ranges::any_of(judged.study.solves, &SolveSummary::is_self_timed))
+    notes.emplace_back("Times of programs are told by them.");
+  for (const std::string& note : {failure_reasons_text(judged.study), rejections_text(judged.study)})
+    if (!note.empty()) notes.push_back(note);
+  return notes;
+}
+
+std::string study_sentences(const StudyResults& study) {
+  const std::string text = study_text(study);
+  const std::string name = text.starts_with(study.name + ",") ? "" : study.name + ": ";
+  return fmt::format("{}{}. A solve ends at {}.", name, text, budget_text(study));
 }
 
 }  // namespace
@@ -143,99 +212,78 @@ bool ReportModel::is_in_headline(const JudgedMetric& judged) const {
                              [&](const HeadlineQuestion& question) { return &metrics[question.metric] == &judged; });
 }
 
+void ReportModel::remove_metrics(QuantityKind kind) {
+  std::erase_if(metrics, [&](const JudgedMetric& judged) { return judged.samples.quantity_kind == kind; });
+  questions = make_headline_questions(metrics, solvers(), tie_breakers);
+}
+
 std::vector<Warning> ReportModel::all_warnings() const {
-  std::vector<Warning> all = warnings;
+  std::vector<Warning> merged = warnings;
   for (const JudgedMetric& judged : metrics) {
     for (const Warning& warning : judged.samples.warnings) {
-      const auto known = std::ranges::find_if(all, [&](const Warning& other) {
-        const bool is_one =
-                       other.solvers == warning.solvers && other.count == warning.count && other.total == warning.total,
-                   is_of_clock = warning.kind == WarningKind::time_limit_decides && other.detail == warning.detail;
-        return other.kind == warning.kind && (is_one || is_of_clock);
-      });
-      if (known == all.end())
-        all.push_back(warning);
+      const auto known = std::ranges::find_if(merged, [&](const Warning& other) { return are_one(other, warning); });
+      if (known == merged.end())
+        merged.push_back(warning);
       else if (known->detail != warning.detail)
         known->detail += ", " + warning.detail;
-      else if (known->solvers.size() < warning.solvers.size())  // of shares the clock names fewer
+      else if (known->solvers.size() < warning.solvers.size())  // the clock's warning about shares names fewer solvers
         *known = warning;
     }
   }
-  std::ranges::stable_sort(all, {}, &Warning::kind);
-  return all;
+  std::ranges::stable_sort(merged, {}, &Warning::kind);
+  return merged;
 }
 
 ReportModel make_report_model(std::vector<JudgedMetric> metrics, std::size_t primary,
-                              const std::vector<std::string>& tie_breakers) {
+                              std::vector<std::string> tie_breakers) {
   const auto headline_metric = metrics.begin() + static_cast<std::ptrdiff_t>(primary);
   std::rotate(metrics.begin(), headline_metric, headline_metric + 1);
-  ReportModel answer{.metrics = std::move(metrics)};
-  answer.order = display_order(answer.primary(), answer.metrics);
-  for (JudgedMetric& judged : answer.metrics) {
+  ReportModel model{.metrics = std::move(metrics), .tie_breakers = std::move(tie_breakers)};
+  model.order = display_order(model.primary(), model.metrics);
+  for (JudgedMetric& judged : model.metrics) {
     if (is_success_rate(judged)) judged = in_unit(std::move(judged), 100, "%");
-    std::map<std::string_view, std::size_t> places;
-    for (const std::size_t i : display_order(judged, answer.metrics))
-      places.emplace(judged.samples.groups[i].name, places.size());
-    std::multimap<std::pair<std::size_t, std::size_t>, Comparison> by_place;  // many pairs: a sort would look names up
-    for (Comparison& its : judged.comparisons) {
-      const std::size_t first = places.at(its.first), second = places.at(its.second);
-      by_place.emplace(std::minmax(first, second), better_first(std::move(its), judged.plan.control, second < first));
-    }
-    auto next = judged.comparisons.begin();
-    for (auto& [place, its] : by_place) *next++ = std::move(its);
+    order_comparisons(judged, display_order(judged, model.metrics));
   }
-  answer.questions = make_headline_questions(answer.metrics, answer.solvers(), tie_breakers);
-  return answer;
+  model.questions = make_headline_questions(model.metrics, model.solvers(), model.tie_breakers);
+  return model;
 }
 
 ReportModel make_report_model(const JudgedStudy& judged) {
-  // Tie-breakers are for solvers that solve alike: another first metric leaves no second question.
-  const bool is_of_solved = judged.metrics[judged.primary].samples.quantity_kind == QuantityKind::solved;
-  ReportModel all =
-      make_report_model(judged.metrics, judged.primary,
-                        is_of_solved ? judged.study.definition.plan.tie_breakers : std::vector<std::string>());
-  all.warnings = judged.warnings;
-  const std::string solved = study_text(judged.study), &name = judged.study.name;
-  all.study_text = fmt::format("{}{}. A solve ends at {}.", solved.starts_with(name + ",") ? "" : name + ": ", solved,
-                               budget_text(judged.study));
-  all.extra_tables = {{"Control loop", loop_table(judged.study, all.solvers())},
-                      {"Beside another machine", beside_table(judged.study, all.solvers())},
-                      {"In batches", batches_table(judged.study)}};
+  // Tie-breakers are for solvers that solve alike: another first metric has no second question.
   const results::StudyDefinition& definition = judged.study.definition;
-  const bool are_runs = definition.compares_runs();
-  all.noun = are_runs ? "runs" : "targets";
+  const bool is_of_solved = judged.metrics[judged.primary].samples.quantity_kind == QuantityKind::solved;
+  ReportModel model = make_report_model(judged.metrics, judged.primary,
+                                        is_of_solved ? definition.plan.tie_breakers : std::vector<std::string>());
+  model.warnings = judged.warnings;
+  model.study_text = study_sentences(judged.study);
+  model.extra_tables = {{"Control loop", loop_table(judged.study, model.solvers())},
+                        {"Beside another machine", imported_table(judged.study, model.solvers())},
+                        {"In batches", batches_table(judged.study)}};
+  model.noun = definition.compares_runs() ? "runs" : "targets";
   if (definition.stop.only_time_limits())
-    all.within = fmt::format(" within {} ms", number_text(1000 * definition.stop.seconds));
-  all.named_metrics = names_in_plan(definition).size();
-  if (are_runs ? definition.points > 1 : definition.runs > 1 && !definition.draws_targets)
-    all.notes.push_back(
-        fmt::format("Each {} is the mean of its {}.", are_runs ? "run" : "target", are_runs ? "targets" : "runs"));
-  for (JudgedMetric& metric : all.metrics) {
+    model.within = fmt::format(" within {} ms", number_text(1000 * definition.stop.seconds));
+  model.named_metrics = names_in_plan(definition).size();
+  for (JudgedMetric& metric : model.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.samples.unit);
     if (factor != 1) metric = in_unit(std::move(metric), factor, unit);
   }
-  const auto is_of_time = [](const JudgedMetric& metric) { return metric.samples.quantity_kind == QuantityKind::time; };
-  if (std::ranges::any_of(judged.metrics, is_of_time) &&
-      std::ranges::any_of(judged.study.solves, &SolveSummary::is_self_timed))
-    all.notes.emplace_back("Times of programs are told by them.");
-  all.rejections_text = rejections_text(judged.study);
-  for (const std::string& note : {failure_reasons_text(judged.study), all.rejections_text})
-    if (!note.empty()) all.notes.push_back(note);
-  return all;
+  model.notes = study_notes(judged);
+  model.rejections_text = rejections_text(judged.study);
+  return model;
 }
 
-std::string observation_noun(const ReportModel& answer, const JudgedMetric& judged) {
-  return judged.samples.quantity_kind == QuantityKind::time ? "sessions" : answer.noun;
+std::string observation_noun(const ReportModel& model, const JudgedMetric& judged) {
+  return judged.samples.quantity_kind == QuantityKind::time ? "sessions" : model.noun;
 }
 
 bool has_failed(const StudyResults& study, const SolveSummary& solve) {
   return study.definition.has_tolerance() ? solve.status != results::Status::ok : !has_answer(solve);
 }
 
-std::string reference_of(const ReportModel& answer) {
-  const JudgedMetric& decisive = answer.primary();
+std::string reference_of(const ReportModel& model) {
+  const JudgedMetric& decisive = model.primary();
   if (!decisive.plan.control.empty()) return decisive.plan.control;
-  return decisive.samples.groups[answer.order[0]].name;
+  return decisive.samples.groups[model.order[0]].name;
 }
 
 BoundedValue displayed_average(const JudgedMetric& judged, std::size_t group) {

@@ -24,6 +24,7 @@ struct ReportModel {
   std::string rejections_text = {};          // of answers that the study's check refused; empty: none
   std::string verdict = {};    // of `compare`, in place of the headline; labels and metrics share its significance
   std::string direction = {};  // of a file: "smaller is better"
+  std::vector<std::string> tie_breakers = {};    // of the plan, in their order; empty: no second question
   std::vector<HeadlineQuestion> questions = {};  // one or two, which the headline answers
   // Of a study, with their headings: a control loop; times, of another machine too, and in batches. Without rows if it
   // has none.
@@ -32,6 +33,8 @@ struct ReportModel {
   const judge::JudgedMetric& primary() const { return metrics.front(); }
   std::vector<std::string> solvers() const;                      // in the order
   bool is_in_headline(const judge::JudgedMetric& judged) const;  // one of `metrics`, about which a question is
+  // Removes the metrics of a kind, which must not be the first's, and asks the questions again.
+  void remove_metrics(judge::QuantityKind kind);
   // Those of all and of each metric, each once; what several metrics have alike, as one.
   std::vector<judge::Warning> all_warnings() const;
 };
@@ -39,7 +42,7 @@ struct ReportModel {
 // Shares in percent; of studies times in ms, and errors in mm, but in cm where a paper's study is repeated. With a
 // control it is the second of each pair.
 ReportModel make_report_model(std::vector<judge::JudgedMetric> metrics, std::size_t primary = 0,
-                              const std::vector<std::string>& tie_breakers = {});
+                              std::vector<std::string> tie_breakers = {});
 ReportModel make_report_model(const judge::JudgedStudy& judged);
 
 bool is_success_rate(const judge::JudgedMetric& judged);
@@ -53,8 +56,8 @@ BoundedValue displayed_average(const judge::JudgedMetric& judged, std::size_t gr
 std::vector<double> percent_boundaries(const judge::JudgedMetric& judged);  // 99.97 % is not 100; of others none
 
 // What observations of a metric are: "targets", of time "sessions".
-std::string observation_noun(const ReportModel& answer, const judge::JudgedMetric& judged);
+std::string observation_noun(const ReportModel& model, const judge::JudgedMetric& judged);
 bool has_failed(const judge::StudyResults& study, const judge::SolveSummary& solve);  // without a tolerance: to answer
-std::string reference_of(const ReportModel& answer);  // the control, else the first of the table of results
+std::string reference_of(const ReportModel& model);  // the control, else the first of the table of results
 
 }  // namespace ikbench::show

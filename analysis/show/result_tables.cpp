@@ -26,148 +26,189 @@ using namespace judge;
 
 namespace {
 
-constexpr std::size_t most_told = 15;        // pairs of a metric; of more only those with the reference
-constexpr std::size_t most_listed = 10'000;  // pairs beside these: 400 solvers have 300 000
+constexpr std::size_t max_shown_pairs = 15;       // of a metric; of more only those with the reference are shown
+constexpr std::size_t max_listed_pairs = 10'000;  // that are not shown: 400 solvers have 300 000
 
 const std::string star = "*", plus = "+", exclamation = "!";
 
-// "* worse and + better than DLS, ! not tested", of the marks that occur.
-std::string meaning_of(const std::set<std::string>& marks, const std::string& reference,
+// Returns "* worse and + better than DLS, ! not tested", of the marks that occur.
+std::string marks_text(const std::set<std::string>& marks, const std::string& reference,
                        const std::string& why_not_tested = "") {
-  std::vector<std::string> pairs, all;
-  if (marks.contains(star)) pairs.push_back(star + " worse");
-  if (marks.contains(plus)) pairs.push_back(plus + " better");
-  if (!pairs.empty()) all.push_back(listed(pairs) + " than " + reference);
-  if (marks.contains(exclamation)) all.push_back(exclamation + " not tested" + why_not_tested);
-  return listed(all, ", ");
+  std::vector<std::string> verdicts, texts;
+  if (marks.contains(star)) verdicts.push_back(star + " worse");
+  if (marks.contains(plus)) verdicts.push_back(plus + " better");
+  if (!verdicts.empty()) texts.push_back(listed(verdicts) + " than " + reference);
+  if (marks.contains(exclamation)) texts.push_back(exclamation + " not tested" + why_not_tested);
+  return listed(texts, ", ");
 }
 
-// A value of a group, which may only be an upper bound.
+// Returns the cell of a group's value, which may only be an upper bound.
 Cell value_cell(const Group& group, double value) {
   if (std::isnan(value)) return {};
   return group.tolerance > 0 && value == group.tolerance ? Cell(ValueCell{.value = value, .is_bound = true})
                                                          : Cell(value);
 }
 
-// Wilson's, of a share of observations that are solved or not.
-std::optional<Interval> interval_of(const JudgedMetric& judged, const Descriptives& its) {
-  if (!is_success_rate(judged) || trials_per_value(judged.samples) > 1 || its.n == 0) return {};
-  const Interval share = wilson_interval(its.mean / 100, its.n, judged.plan.significance);
+// Returns Wilson's interval [%] of a share of observations that are solved or not; nullopt for other metrics.
+std::optional<Interval> share_interval(const JudgedMetric& judged, const Descriptives& descriptives) {
+  if (!is_success_rate(judged) || trials_per_value(judged.samples) > 1 || descriptives.n == 0) return {};
+  const Interval share = wilson_interval(descriptives.mean / 100, descriptives.n, judged.plan.significance);
   return Interval{100 * share.low, 100 * share.high};
 }
 
-// Whether a metric's numbers stand as ratios to the reference, since those of two are of other targets.
-bool are_ratios(const JudgedMetric& judged, const std::string& reference) {
-  const auto is_known = [&](const Comparison& comparison) {  // a reference that solved too few empties nobody's row
-    return (comparison.first == reference || comparison.second == reference) &&
-           !std::holds_alternative<NotTested>(comparison.result);
-  };
-  return is_conditional_on_success(judged.samples) && std::ranges::any_of(judged.comparisons, is_known);
+bool are_means(const ReportModel& model) { return model.primary().plan.test == results::AnalysisPlan::Test::means; }
+
+std::string average_name(const ReportModel& model) { return are_means(model) ? "mean" : "median"; }
+
+// The solvers that the marks of a table of results depend on.
+struct MarkedSolvers {
+  std::string reference;
+  std::set<std::string> losers;       // worse than another solver in the deciding metric
+  std::vector<std::string> untested;  // whose statement in the headline is "not tested"
+};
+
+MarkedSolvers marked_solvers(const ReportModel& model) {
+  MarkedSolvers marked{.reference = reference_of(model), .losers = beaten_solvers(model.primary().comparisons)};
+  for (const Statement& statement : model.questions.front().statements)
+    if (statement.kind == Statement::StatementKind::not_tested) marked.untested = statement.solvers;
+  return marked;
 }
 
-bool are_means(const ReportModel& answer) { return answer.primary().plan.test == results::AnalysisPlan::Test::means; }
-
-std::string average_shown(const ReportModel& answer) { return are_means(answer) ? "mean" : "median"; }
-
-// What the cells of a metric have in common: with many solvers each would look through all pairs for it.
-struct OfMetric {
-  OfMetric(const JudgedMetric& its, const std::string& reference)
-      : judged(its), are_ratios(show::are_ratios(its, reference)) {
-    for (const Comparison& comparison : its.comparisons) {
-      if (comparison.first == reference) pairs[comparison.second] = &comparison;
-      if (comparison.second == reference) pairs[comparison.first] = &comparison;
+// A column of the table of results. With many solvers each cell would otherwise search all pairs for its own.
+class ResultColumn {
+ public:
+  ResultColumn(const ReportModel& model, const JudgedMetric& judged, const MarkedSolvers& marked)
+      : model_(model), judged_(judged), marked_(marked) {
+    for (const Comparison& comparison : judged.comparisons) {
+      if (comparison.first == marked.reference) add(comparison.second, comparison);
+      if (comparison.second == marked.reference) add(comparison.first, comparison);
     }
   }
 
-  const JudgedMetric& judged;
-  bool are_ratios;
-  std::map<std::string_view, const Comparison*> pairs = {};  // with the reference, by the other
+  // True if numbers stand as ratios to the reference, because each solver solved targets of its own.
+  bool has_ratios() const { return is_conditional_on_success(judged_.samples) && is_any_pair_tested_; }
+
+  // Returns a solver's number with its mark. In the deciding metric without a control a star means that some solver is
+  // better. Otherwise a mark is the verdict of the pair with the reference.
+  Cell cell(const std::string& solver) const {
+    const std::size_t i = index_of(judged_.samples, solver);
+    if (i == judged_.samples.groups.size()) return MissingCell{"not in it"};
+    const Group& group = judged_.samples.groups[i];
+    if (missing_in(group) > 0) return MissingCell{"values are missing"};
+    const Comparison* const stored = pair_of(solver);
+    const Comparison pair = stored ? better_first(*stored, marked_.reference) : Comparison();
+    const bool is_untested = is_not_tested(solver, group, stored);
+    ValueCell cell{.value = unknown, .mark = mark(solver, stored ? &pair : nullptr, is_untested)};
+    if (has_ratios() && solver != marked_.reference && !excluded(group)) return ratio_cell(cell, pair, is_untested);
+    return average_cell(cell, i);
+  }
+
+ private:
+  const ReportModel& model_;
+  const JudgedMetric& judged_;
+  const MarkedSolvers& marked_;
+  std::map<std::string_view, const Comparison*> pairs_ = {};  // with the reference, by the other solver
+  bool is_any_pair_tested_ = false;
+
+  void add(const std::string& other, const Comparison& comparison) {
+    pairs_[other] = &comparison;
+    is_any_pair_tested_ |= !std::holds_alternative<NotTested>(comparison.result);
+  }
+  const Comparison* pair_of(const std::string& solver) const {
+    const auto found = pairs_.find(solver);
+    return found == pairs_.end() ? nullptr : found->second;
+  }
+  bool is_deciding() const { return &judged_ == &model_.primary(); }
+  // True if marks are about all pairs, not only those with the reference.
+  bool is_about_all() const { return is_deciding() && judged_.plan.control.empty(); }
+
+  bool is_not_tested(const std::string& solver, const Group& group, const Comparison* pair) const {
+    if (excluded(group)) return true;
+    if (is_about_all() && !judged_.comparisons.empty()) return std::ranges::count(marked_.untested, solver) > 0;
+    if (pair == nullptr || verdict_of(*pair) != Verdict::not_tested) return false;
+    const Group& reference = judged_.samples.groups[index_of(judged_.samples, marked_.reference)];
+    return excluded(reference) == nullptr;  // otherwise the reference has the mark
+  }
+
+  std::string mark(const std::string& solver, const Comparison* pair, bool is_untested) const {
+    const Verdict verdict = pair ? verdict_of(*pair) : Verdict::inconclusive;
+    const auto* const tested = pair ? std::get_if<TestResult>(&pair->result) : nullptr;
+    // A difference below the margin has a mark only where the headline tells it. Other metrics have none, and nor has a
+    // regression check, in which it is no loss.
+    const bool matters = !tested || !tested->is_below_margin || (model_.verdict.empty() && is_deciding());
+    const bool is_worse = is_about_all() ? marked_.losers.contains(solver) : matters && verdict == Verdict::worse;
+    if (is_worse) return star;
+    if (matters && verdict == Verdict::better) return plus;
+    return is_untested ? exclamation : "";
+  }
+
+  static Cell ratio_cell(ValueCell cell, const Comparison& pair, bool is_untested) {
+    if (is_untested) return MissingCell{std::string(reason_words(std::get<NotTested>(pair.result).reason).of_solver)};
+    if (pair.estimate) {
+      cell.value = pair.estimate->value;
+      cell.relative_to_reference = pair.scale;
+    }
+    if (pair.estimate || std::holds_alternative<TestResult>(pair.result)) return cell;
+    return MissingCell{"too few to compare"};
+  }
+
+  Cell average_cell(ValueCell cell, std::size_t i) const {
+    const Group& group = judged_.samples.groups[i];
+    const Descriptives& descriptives = judged_.descriptives[i];
+    const bool has_one_average =
+        is_success_rate(judged_) || is_log_scale(judged_.samples) || std::isnan(descriptives.median);
+    const double average = are_means(model_) ? descriptives.mean : descriptives.median;
+    const BoundedValue shown = has_one_average ? displayed_average(judged_, i) : show::displayed(judged_, i, average);
+    if (std::isnan(shown.value)) {
+      const ExcludedSample* const sample = excluded(group);
+      return MissingCell{sample ? std::string(reason_words(not_tested_reason(sample->reason)).of_solver)
+                                : "without a value"};
+    }
+    cell.value = shown.value;
+    cell.is_bound = shown.is_bound;
+    cell.interval = share_interval(judged_, descriptives);
+    const bool has_spread = is_deciding() && !is_success_rate(judged_) && !is_conditional_on_success(judged_.samples) &&
+                            !cell.is_bound && descriptives.n >= 2;
+    if (!has_spread) return cell;
+    if (are_means(model_) && !std::isnan(descriptives.sd)) cell.sd = descriptives.sd;
+    if (!are_means(model_) && !has_one_average)
+      cell.interval = Interval{descriptives.lower_quartile, descriptives.upper_quartile};
+    return cell;
+  }
 };
 
-// A solver's number, and its mark: of the deciding metric, without a control, that another is better; else of its pair
-// with the reference. Where the numbers of two are of other targets, the finding of the pair stands in its place.
-Cell result_cell(const ReportModel& answer, const OfMetric& metric, const std::string& solver,
-                 const std::set<std::string>& losers, const std::vector<std::string>& apart) {
-  const JudgedMetric& judged = metric.judged;
-  const std::vector<Group>& groups = judged.samples.groups;
-  const std::size_t i = index_of(judged.samples, solver);
-  if (i == groups.size()) return MissingCell{"not in it"};
-  const Group& group = groups[i];
-  if (missing_in(group) > 0) return MissingCell{"values are missing"};
-  const std::string reference = reference_of(answer);
-  const auto found = metric.pairs.find(solver);
-  const Comparison* const pair = found == metric.pairs.end() ? nullptr : found->second;
-  const Comparison comparison = pair ? better_first(*pair, reference) : Comparison();
-  const Verdict verdict = pair ? verdict_of(comparison) : Verdict::inconclusive;
-  const auto* const tested = std::get_if<TestResult>(&comparison.result);
-  const bool is_deciding = &judged == &answer.primary(), is_of_all = is_deciding && judged.plan.control.empty();
-  const auto is_told = [&](const std::string& name) {
-    return excluded(groups[index_of(judged.samples, name)]) == nullptr;
-  };
-  const bool is_untested =
-      !is_told(solver) || (is_of_all && !judged.comparisons.empty()
-                               ? std::ranges::count(apart, solver) > 0
-                               : pair && verdict == Verdict::not_tested && is_told(reference));  // else it has the mark
-  // Within the margin only what a headline tells is marked, so not of other metrics, nor in a gate what is no loss.
-  const bool matters = !tested || !tested->is_below_margin || (answer.verdict.empty() && is_deciding);
-  const bool is_worse = is_of_all ? losers.contains(solver) : matters && verdict == Verdict::worse;
-  const bool is_better = matters && verdict == Verdict::better;
-  ValueCell cell{.value = unknown, .mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : ""};
-  if (metric.are_ratios && solver != reference && is_told(solver)) {
-    if (is_untested)
-      return MissingCell{std::string(reason_words(std::get<NotTested>(comparison.result).reason).of_solver)};
-    if (const auto& amount = comparison.estimate)
-      cell.value = amount->value, cell.relative_to_reference = comparison.scale;
-    return tested || cell.relative_to_reference ? Cell(cell) : MissingCell{"too few to compare"};
-  }
-  const Descriptives& its = judged.descriptives[i];
-  const bool has_means = are_means(answer);
-  const bool is_only_one = is_success_rate(judged) || is_log_scale(judged.samples) || std::isnan(its.median);
-  const BoundedValue shown =
-      is_only_one ? displayed_average(judged, i) : show::displayed(judged, i, has_means ? its.mean : its.median);
-  if (std::isnan(shown.value))
-    return MissingCell{excluded(group) ? std::string(reason_words(not_tested_reason(excluded(group)->reason)).of_solver)
-                                       : "without a value"};
-  cell.value = shown.value, cell.is_bound = shown.is_bound;
-  cell.interval = interval_of(judged, its);
-  if (!is_deciding || is_success_rate(judged) || is_conditional_on_success(judged.samples) || cell.is_bound ||
-      its.n < 2)
-    return cell;
-  if (has_means && !std::isnan(its.sd)) cell.sd = its.sd;
-  if (!has_means && !is_only_one) cell.interval = Interval{its.lower_quartile, its.upper_quartile};
-  return cell;
-}
-
-// Whom the stars are about: without a control, those of the deciding metric need not be about the reference.
-std::string of_whom(const ReportModel& answer, const std::string& reference) {
-  std::set<std::string> others = beaten_solvers(answer.primary().comparisons);
-  for (const Comparison& comparison : answer.primary().comparisons) {
-    if (comparison.first == reference_of(answer) && verdict_of(comparison) == Verdict::better)
+// Returns what stars compare with. Without a control those of the deciding metric need not be about the reference.
+std::string compared_with(const ReportModel& model, const std::string& reference) {
+  std::set<std::string> others = beaten_solvers(model.primary().comparisons);
+  for (const Comparison& comparison : model.primary().comparisons) {
+    if (comparison.first == reference_of(model) && verdict_of(comparison) == Verdict::better)
       others.erase(comparison.second);
   }
-  return answer.primary().plan.control.empty() && !others.empty() ? "another solver" : reference;
+  return model.primary().plan.control.empty() && !others.empty() ? "another solver" : reference;
 }
 
-// " (6 runs are too few, 7 are needed)" if that is why pairs are not tested, and all that are have this reason.
-std::string why_too_few(const ReportModel& answer) {
+// Returns " (6 runs are too few, 7 are needed)" if that is the reason of all pairs that are not tested; otherwise
+// empty.
+std::string too_few_text(const ReportModel& model) {
   std::set<std::string> reasons;
-  for (const JudgedMetric& judged : answer.metrics) {
+  for (const JudgedMetric& judged : model.metrics) {
     for (const Comparison& comparison : judged.comparisons) {
-      const auto* const open = std::get_if<NotTested>(&comparison.result);
-      if (open == nullptr) continue;
-      const bool is_told = open->reason == NotTestedReason::sample_too_small && open->n > 0;
-      reasons.insert(is_told ? reason_text(*open, observation_noun(answer, judged)) : "");
+      const auto* const not_tested = std::get_if<NotTested>(&comparison.result);
+      if (not_tested == nullptr) continue;
+      const bool is_too_small = not_tested->reason == NotTestedReason::sample_too_small && not_tested->n > 0;
+      reasons.insert(is_too_small ? reason_text(*not_tested, observation_noun(model, judged)) : "");
     }
   }
   return reasons.size() == 1 && !reasons.begin()->empty() ? fmt::format(" ({})", *reasons.begin()) : "";
 }
 
-// What stands in a table of results, which its notes explain.
-struct Occurring {
+// The kinds of cells that a table of results has, for the notes that explain them.
+struct CellKinds {
   bool averages = false, spreads = false, shares = false;
   std::set<std::string> marks = {}, scales = {};
-  NamesByPhrase reasons = {};                          // metrics by why they have a "-"
-  std::vector<std::string> ratios = {}, counted = {};  // metrics: to the reference; of each one's own targets
+  NamesByPhrase reasons = {};                 // metrics by the reason of a "-"
+  std::vector<std::string> ratios = {};       // metrics whose numbers are relative to the reference
+  std::vector<std::string> own_targets = {};  // metrics in which each solver has its own targets
 
   void add(const ValueCell& cell, bool is_share, bool is_average) {
     averages |= !is_share && is_average;
@@ -178,158 +219,204 @@ struct Occurring {
   }
 };
 
-// What its numbers and marks are.
-std::vector<std::string> key_of(const ReportModel& answer, const Occurring& occurring) {
-  const JudgedMetric& decisive = answer.primary();
-  const bool is_of_file = !answer.direction.empty(), has_means = are_means(answer);
-  const double level = decisive.plan.significance;
-  const std::string reference = reference_of(answer);
-  std::string numbers = !occurring.averages ? "" : has_means ? "Means" : "Medians";
-  if (occurring.spreads) numbers += has_means ? " ± standard deviations" : " (quartiles)";
-  if (const auto [least, most] = std::ranges::minmax(decisive.descriptives, {}, &Descriptives::n);
-      most.n > 0 && is_of_file)
-    numbers = fmt::format("{} of {}{}; {}", occurring.averages ? numbers : "Shares",
-                          least.n == most.n ? "" : fmt::format("{} to ", least.n), base::counted(most.n, "values"),
-                          answer.direction);
-  const auto has_facts = [](const JudgedMetric& judged) {
+std::string numbers_note(const ReportModel& model, const CellKinds& kinds) {
+  const bool has_means = are_means(model);
+  std::string text;
+  if (kinds.averages) text = has_means ? "Means" : "Medians";
+  if (kinds.spreads) text += has_means ? " ± standard deviations" : " (quartiles)";
+  const auto [fewest, most] = std::ranges::minmax(model.primary().descriptives, {}, &Descriptives::n);
+  if (most.n == 0 || model.direction.empty()) return text;
+  return fmt::format("{} of {}{}; {}", kinds.averages ? text : "Shares",
+                     fewest.n == most.n ? "" : fmt::format("{} to ", fewest.n), base::counted(most.n, "values"),
+                     model.direction);
+}
+
+std::string marks_note(const ReportModel& model, const CellKinds& kinds) {
+  const auto has_exact_differences = [](const JudgedMetric& judged) {
     return std::ranges::any_of(judged.comparisons, [](const Comparison& comparison) {
       return std::holds_alternative<DeterministicResult>(comparison.result) && is_difference(verdict_of(comparison));
     });
   };
-  const std::string tested = fmt::format(" (p < {}{}{})", number_text(level),
-                                         decisive.plan.control.empty() && answer.order.size() > 2 ? ", all pairs" : "",
-                                         std::ranges::any_of(answer.metrics, has_facts) ? ", or for certain" : "");
-  return {
-      numbers, meaning_of(occurring.marks, of_whom(answer, reference) + tested, why_too_few(answer)),
-      occurring.shares
-          ? fmt::format("Intervals{}: {:.3g} %", occurring.spreads && !has_means ? " of shares" : "", 100 * (1 - level))
-          : "",
-      occurring.scales.empty()
-          ? ""
-          : fmt::format("{}: {} {}'s {}", is_of_file ? listed(occurring.ratios) : as_sentence(listed(occurring.ratios)),
-                        fmt::join(occurring.scales, " or "), reference, average_shown(answer))};
+  const AnalysisPlan& plan = model.primary().plan;
+  const std::string tests =
+      fmt::format(" (p < {}{}{})", number_text(plan.significance),
+                  plan.control.empty() && model.order.size() > 2 ? ", all pairs" : "",
+                  std::ranges::any_of(model.metrics, has_exact_differences) ? ", or for certain" : "");
+  return marks_text(kinds.marks, compared_with(model, reference_of(model)) + tests, too_few_text(model));
 }
 
-// What a page tells besides.
-std::vector<std::string> explained(const ReportModel& answer, const Occurring& occurring) {
-  const auto is_any = [&](auto is_so) {
-    return std::ranges::any_of(answer.metrics,
+std::string intervals_note(const ReportModel& model, const CellKinds& kinds) {
+  if (!kinds.shares) return "";
+  return fmt::format("Intervals{}: {:.3g} %", kinds.spreads && !are_means(model) ? " of shares" : "",
+                     100 * (1 - model.primary().plan.significance));
+}
+
+std::string ratios_note(const ReportModel& model, const CellKinds& kinds) {
+  if (kinds.scales.empty()) return "";
+  const std::string metrics = listed(kinds.ratios);
+  return fmt::format("{}: {} {}'s {}", model.direction.empty() ? as_sentence(metrics) : metrics,
+                     fmt::join(kinds.scales, " or "), reference_of(model), average_name(model));
+}
+
+// Returns the notes that a screen and a page have.
+std::vector<std::string> brief_notes(const ReportModel& model, const CellKinds& kinds) {
+  return {numbers_note(model, kinds), marks_note(model, kinds), intervals_note(model, kinds),
+          ratios_note(model, kinds)};
+}
+
+// Returns the notes that only a page has.
+std::vector<std::string> page_notes(const ReportModel& model, const CellKinds& kinds) {
+  const auto has_any = [&](auto is_so) {
+    return std::ranges::any_of(model.metrics,
                                [&](const JudgedMetric& judged) { return std::invoke(is_so, judged.samples); });
   };
-  const bool are_common =
-      is_any([](const MetricSamples& its) { return is_conditional_on_success(its) && its.is_paired; });
-  return {is_any(is_cost_per_success)
-              ? fmt::format("Per solved: all that was spent, divided by the {} solved", answer.noun)
-              : "",
-          occurring.scales.empty() ? ""
-          : are_common             ? fmt::format("Multiples are on {} that both solved", answer.noun)
-                                   : "Multiples are of solved " + answer.noun,
-          occurring.counted.empty()
-              ? ""
-              : fmt::format("{}: {}s of the {} that each solved", as_sentence(listed(occurring.counted)),
-                            average_shown(answer), answer.noun),
-          occurring.reasons.entries.empty()
-              ? ""
-              : fmt::format("-: {}", fmt::join(occurring.reasons.formatted("{} ({})"), "; "))};
+  const auto has_common_targets = [](const MetricSamples& samples) {
+    return is_conditional_on_success(samples) && samples.is_paired;
+  };
+  std::vector<std::string> notes;
+  if (has_any(is_cost_per_success))
+    notes.push_back(fmt::format("Per solved: all that was spent, divided by the {} solved", model.noun));
+  if (!kinds.scales.empty())
+    notes.push_back(has_any(has_common_targets) ? fmt::format("Multiples are on {} that both solved", model.noun)
+                                                : "Multiples are of solved " + model.noun);
+  if (!kinds.own_targets.empty())
+    notes.push_back(fmt::format("{}: {}s of the {} that each solved", as_sentence(listed(kinds.own_targets)),
+                                average_name(model), model.noun));
+  if (!kinds.reasons.entries.empty())
+    notes.push_back(fmt::format("-: {}", fmt::join(kinds.reasons.formatted("{} ({})"), "; ")));
+  return notes;
 }
 
-// The table of pairs, which row_of fills.
-Table without_pairs(const ReportModel& answer) {
+// Returns the table of pairs without rows; pair_row makes them.
+Table empty_pairs_table(const ReportModel& model) {
   Table table{
       .name = "pairs",
       .caption = "The first against the second",
       .columns = named_columns({"metric", "first", "second", "estimate", "interval", "unit", "p", "verdict", "A12",
                                 "ahead", "behind", "g", "g_av", "test", "n", "n that could decide", "size", "reason"})};
   std::set<double> ends;
-  for (const JudgedMetric& judged : answer.metrics)
+  for (const JudgedMetric& judged : model.metrics)
     for (const Comparison& comparison : judged.comparisons) ends.merge(null_and_margin(comparison, judged));
-  table.columns[4].role = ColumnRole::interval, table.columns[4].boundaries = {ends.begin(), ends.end()};
-  table.columns[6].role = ColumnRole::p, table.columns[6].boundaries = {answer.primary().plan.significance};
+  Column& interval = table.columns[4];
+  interval.role = ColumnRole::interval;
+  interval.boundaries = {ends.begin(), ends.end()};
+  Column& p = table.columns[6];
+  p.role = ColumnRole::p;
+  p.boundaries = {model.primary().plan.significance};
   for (Column& column : std::span(table.columns).subspan(8)) column.role = ColumnRole::machine_only;
   return table;
 }
 
-std::vector<Cell> row_of(const Comparison& comparison, const JudgedMetric& judged) {
-  const std::optional<EffectEstimate>& amount = comparison.estimate;
-  const auto* const tested = std::get_if<TestResult>(&comparison.result);
-  const auto* const open = std::get_if<NotTested>(&comparison.result);
-  const auto* const effect = tested && tested->dominance ? &*tested->dominance : nullptr;
-  const Verdict verdict = verdict_of(comparison);
-  const VerdictStyle& words = verdict_words(verdict);
-  const std::string how_often = amount ? "" : dominance_text(comparison);
-  const int enough = tested ? tested->required_n : open ? open->required_n : 0;
-  const auto number = [](const auto& of, auto value) { return of ? Cell(value(*of)) : Cell(); };
-  const auto text = [](std::string_view its) { return text_cell(std::string(its)); };
-  const bool are_means = tested && tested->hedges_g;  // by which of them a size is told
-  std::vector<Cell> row{judged.samples.quantity,
-                        comparison.first,
-                        comparison.second,
-                        number(amount, [](const EffectEstimate& its) { return its.value; }),
-                        amount && amount->interval ? Cell(*amount->interval) : Cell(),
-                        text_cell(estimate_unit(comparison, judged)),
-                        number(tested, [](const TestResult& its) { return its.adjusted_p; }),
-                        VerdictCell{comparison_text(comparison, judged) + (how_often.empty() ? "" : ", " + how_often),
-                                    words.tone, std::string(words.key)}};
-  row.push_back(effect && !are_means ? Cell(effect->a12()) : Cell());
-  row.push_back(number(effect, [](const Dominance& its) { return its.better; }));
-  row.push_back(number(effect, [](const Dominance& its) { return its.worse; }));
-  for (const bool of_pairs : {false, true})
-    row.push_back(are_means && judged.samples.is_paired == of_pairs ? Cell(*tested->hedges_g) : Cell());
-  row.push_back(text(tested ? tested->test : ""));
-  row.push_back(tested ? Cell(std::int64_t{tested->n})
-                       : number(open, [](const NotTested& its) { return std::int64_t{its.n}; }));
-  row.push_back(enough > 0 ? Cell(std::int64_t{enough}) : Cell());
-  row.push_back(text(!tested || !is_difference(verdict) ? "" : tested->is_below_margin ? "small" : "matters"));
-  row.push_back(text(tested ? "" : open ? reason_words(open->reason).key : "certain"));
-  return row;
+VerdictCell verdict_cell(const Comparison& comparison, const JudgedMetric& judged) {
+  const VerdictStyle& style = verdict_words(verdict_of(comparison));
+  std::string text = comparison_text(comparison, judged);
+  const std::string shares = comparison.estimate ? "" : dominance_text(comparison);
+  if (!shares.empty()) text += ", " + shares;
+  return {.text = std::move(text), .tone = style.tone, .key = std::string(style.key)};
 }
 
-std::string how_p_is_adjusted(const ReportModel& answer) {
+Cell required_n_cell(const Comparison& comparison) {
+  int required_n = 0;
+  if (const auto* const tested = std::get_if<TestResult>(&comparison.result)) required_n = tested->required_n;
+  if (const auto* const not_tested = std::get_if<NotTested>(&comparison.result)) required_n = not_tested->required_n;
+  return required_n > 0 ? Cell(std::int64_t{required_n}) : Cell();
+}
+
+Cell n_cell(const Comparison& comparison) {
+  if (const auto* const tested = std::get_if<TestResult>(&comparison.result)) return std::int64_t{tested->n};
+  if (const auto* const not_tested = std::get_if<NotTested>(&comparison.result)) return std::int64_t{not_tested->n};
+  return {};
+}
+
+// Returns "small" for a difference below the margin and "matters" for another one; empty without a tested difference.
+Cell size_cell(const TestResult* tested) {
+  if (!tested || !is_difference(tested->verdict)) return {};
+  return std::string(tested->is_below_margin ? "small" : "matters");
+}
+
+// Returns why a pair has no p; empty if it has.
+Cell reason_cell(const Comparison& comparison) {
+  if (std::holds_alternative<TestResult>(comparison.result)) return {};
+  const auto* const not_tested = std::get_if<NotTested>(&comparison.result);
+  return text_cell(std::string(not_tested ? reason_words(not_tested->reason).key : "certain"));
+}
+
+// Returns the complete row of a pair. Readers see the cells up to the verdict.
+std::vector<Cell> pair_row(const Comparison& comparison, const JudgedMetric& judged) {
+  const std::optional<EffectEstimate>& estimate = comparison.estimate;
+  const auto* const tested = std::get_if<TestResult>(&comparison.result);
+  const auto* const dominance = tested && tested->dominance ? &*tested->dominance : nullptr;
+  const bool has_hedges_g = tested && tested->hedges_g;  // the effect size of means; A12 is that of ranks
+  const auto hedges_g_cell = [&](bool is_of_pairs) {
+    return has_hedges_g && judged.samples.is_paired == is_of_pairs ? Cell(*tested->hedges_g) : Cell();
+  };
+  return {judged.samples.quantity,
+          comparison.first,
+          comparison.second,
+          estimate ? Cell(estimate->value) : Cell(),
+          estimate && estimate->interval ? Cell(*estimate->interval) : Cell(),
+          text_cell(estimate_unit(comparison, judged)),
+          tested ? Cell(tested->adjusted_p) : Cell(),
+          verdict_cell(comparison, judged),
+          dominance && !has_hedges_g ? Cell(dominance->a12()) : Cell(),
+          dominance ? Cell(dominance->better) : Cell(),
+          dominance ? Cell(dominance->worse) : Cell(),
+          hedges_g_cell(false),
+          hedges_g_cell(true),
+          text_cell(std::string(tested ? tested->test : "")),
+          n_cell(comparison),
+          required_n_cell(comparison),
+          size_cell(tested),
+          reason_cell(comparison)};
+}
+
+Column result_head(const ReportModel& model, const JudgedMetric& judged) {
+  const MetricSamples& samples = judged.samples;
+  const bool is_average = &judged == &model.primary() && !is_success_rate(judged) &&
+                          !is_conditional_on_success(samples) && !is_log_scale(samples);
+  return {.name = (is_average ? average_name(model) + " " : "") + samples.quantity,
+          .unit = samples.unit,
+          .boundaries = percent_boundaries(judged)};
+}
+
+std::string how_p_is_adjusted(const ReportModel& model) {
   const std::string metrics =
-      answer.named_metrics == 1 ? "" : fmt::format(" and by the {} metrics that the plan names", answer.named_metrics);
+      model.named_metrics == 1 ? "" : fmt::format(" and by the {} metrics that the plan names", model.named_metrics);
   return fmt::format("p is multiplied by the number of pairs tested of its metric{}, and intervals hold for all.",
                      metrics);
 }
 
 }  // namespace
 
-Table results_table(const ReportModel& answer, bool is_brief) {
+Table results_table(const ReportModel& model, bool is_brief) {
   Table table{.name = "results", .caption = "Results", .columns = {{"solver"}}};
-  for (const std::string& solver : answer.solvers()) table.rows.push_back({solver});
-  const std::string reference = reference_of(answer);
-  const std::set<std::string> losers = beaten_solvers(answer.primary().comparisons);
-  std::vector<std::string> apart;  // nobody knows whether they are better
-  for (const Statement& statement : answer.questions.front().statements)
-    if (statement.kind == Statement::StatementKind::not_tested) apart = statement.solvers;
-  Occurring occurring;
-  for (const JudgedMetric& judged : answer.metrics) {
+  for (const std::string& solver : model.solvers()) table.rows.push_back({solver});
+  const MarkedSolvers marked = marked_solvers(model);
+  CellKinds kinds;
+  for (const JudgedMetric& judged : model.metrics) {
     const MetricSamples& samples = judged.samples;
-    const bool is_average = &judged == &answer.primary() && !is_success_rate(judged) &&
-                            !is_conditional_on_success(samples) && !is_log_scale(samples);
-    table.columns.push_back({.name = (is_average ? average_shown(answer) + " " : "") + samples.quantity,
-                             .unit = samples.unit,
-                             .boundaries = percent_boundaries(judged)});
-    const OfMetric metric(judged, reference);
-    const bool are_ratios_here = metric.are_ratios,
-               are_counted = is_conditional_on_success(samples) && !are_ratios_here && !judged.comparisons.empty();
-    if (are_ratios_here) occurring.ratios.push_back(samples.quantity);
-    if (are_counted) occurring.counted.push_back(samples.quantity);
+    const ResultColumn column(model, judged, marked);
+    table.columns.push_back(result_head(model, judged));
+    const bool has_ratios = column.has_ratios();
+    const bool has_own_targets = is_conditional_on_success(samples) && !has_ratios && !judged.comparisons.empty();
+    if (has_ratios) kinds.ratios.push_back(samples.quantity);
+    if (has_own_targets) kinds.own_targets.push_back(samples.quantity);
     for (auto& row : table.rows) {
-      row.push_back(result_cell(answer, metric, std::get<std::string>(row[0]), losers, apart));
-      if (const auto* const absent = std::get_if<MissingCell>(&row.back()))
-        occurring.reasons.add(absent->reason, samples.quantity);
-      if (const auto* const marked = std::get_if<ValueCell>(&row.back()))
-        occurring.add(*marked, is_success_rate(judged), !is_log_scale(samples) && !are_ratios_here && !are_counted);
+      row.push_back(column.cell(std::get<std::string>(row[0])));
+      if (const auto* const missing = std::get_if<MissingCell>(&row.back()))
+        kinds.reasons.add(missing->reason, samples.quantity);
+      if (const auto* const value = std::get_if<ValueCell>(&row.back()))
+        kinds.add(*value, is_success_rate(judged), !is_log_scale(samples) && !has_ratios && !has_own_targets);
     }
   }
-  const auto add = [&](std::vector<std::string> sentences) {
+  const auto add_note = [&](std::vector<std::string> sentences) {
     std::erase(sentences, "");
     if (!sentences.empty()) table.notes.push_back(fmt::format("{}.", fmt::join(sentences, ". ")));
   };
-  add(key_of(answer, occurring));
+  add_note(brief_notes(model, kinds));
   if (is_brief) return table;
-  add(explained(answer, occurring));
-  table.notes.insert(table.notes.end(), answer.notes.begin(), answer.notes.end());
+  add_note(page_notes(model, kinds));
+  table.notes.insert(table.notes.end(), model.notes.begin(), model.notes.end());
   return table;
 }
 
@@ -349,19 +436,20 @@ Table studies_table(const std::vector<ReportModel>& studies, const std::vector<s
       row->resize(s + 1, MissingCell{"not in the study"});
       if (auto* const marked = std::get_if<ValueCell>(&of_solver[1])) {
         marks.insert(marked->mark);
-        marked->interval.reset(), marked->sd.reset();
+        marked->interval.reset();
+        marked->sd.reset();
       }
       row->push_back(of_solver[1]);
     }
     if (marks.contains(star) || marks.contains(plus))
       references.add((studies[s].primary().plan.control.empty() ? "" : "the control ") +
-                         of_whom(studies[s], reference_of(studies[s])),
+                         compared_with(studies[s], reference_of(studies[s])),
                      names[s]);
     all_marks.merge(marks);
   }
   for (auto& row : table.rows) row.resize(table.columns.size(), MissingCell{"not in the study"});
   std::vector<std::string> sentences{"Shown: " + listed(quantities.formatted("{} ({})")),
-                                     meaning_of(all_marks, listed(references.formatted("{} ({})"), " or ")),
+                                     marks_text(all_marks, listed(references.formatted("{} ({})"), " or ")),
                                      "Each study is judged alone"};
   std::erase(sentences, "");
   table.notes = {fmt::format("{}.", fmt::join(sentences, ". "))};
@@ -378,98 +466,99 @@ Table transposed(const Table& studies) {
   return turned;
 }
 
-// A pair, complete: readers see what stands up to the verdict.
-Table pairs_table(const ReportModel& answer) {
-  Table table = without_pairs(answer);
-  const std::string reference = reference_of(answer);
-  std::vector<std::vector<Cell>> others;
+Table pairs_table(const ReportModel& model) {
+  Table table = empty_pairs_table(model);
+  const std::string reference = reference_of(model);
+  std::vector<std::vector<Cell>> hidden_rows;
   std::size_t left_out = 0;
   bool has_p = false;
-  for (const JudgedMetric& judged : answer.metrics) {
-    const bool is_asked = answer.is_in_headline(judged), are_many = judged.comparisons.size() > most_told;
+  for (const JudgedMetric& judged : model.metrics) {
+    const bool is_asked = model.is_in_headline(judged);
+    const bool are_many = judged.comparisons.size() > max_shown_pairs;
     for (const Comparison& comparison : judged.comparisons) {
-      const bool is_told = is_asked && (!are_many || comparison.first == reference || comparison.second == reference);
-      if (!is_told && others.size() == most_listed) {
+      const bool is_shown = is_asked && (!are_many || comparison.first == reference || comparison.second == reference);
+      if (!is_shown && hidden_rows.size() == max_listed_pairs) {
         ++left_out;
         continue;
       }
-      (is_told ? table.rows : others).push_back(row_of(comparison, judged));
+      (is_shown ? table.rows : hidden_rows).push_back(pair_row(comparison, judged));
       has_p |= std::holds_alternative<TestResult>(comparison.result);
     }
   }
   table.visible_rows = table.rows.size();
-  std::ranges::move(others, std::back_inserter(table.rows));
-  const std::string decides = ranking_note(answer);
+  std::ranges::move(hidden_rows, std::back_inserter(table.rows));
+  const std::string decides = ranking_note(model);
   std::vector<std::string> notes{decides.empty() ? "" : decides + "; other metrics are exploratory.",
-                                 answer.verdict.empty() && has_p ? how_p_is_adjusted(answer) : "",
+                                 model.verdict.empty() && has_p ? how_p_is_adjusted(model) : "",
                                  left_out == 0 ? "" : fmt::format("{} more pairs are not listed.", left_out)};
   std::erase(notes, "");
   if (!notes.empty()) table.notes = {fmt::format("{}", fmt::join(notes, " "))};
   return table;
 }
 
-Table tested_pairs_table(const ReportModel& answer) {
-  Table table = without_pairs(answer);
-  const std::size_t metrics = answer.primary().descriptives.size() > 2 ? 1 : answer.metrics.size();
+Table tested_pairs_table(const ReportModel& model) {
+  Table table = empty_pairs_table(model);
+  const std::size_t metrics = model.primary().descriptives.size() > 2 ? 1 : model.metrics.size();
   std::set<int> sizes;
-  for (const JudgedMetric& judged : std::span(answer.metrics).first(metrics)) {
+  for (const JudgedMetric& judged : std::span(model.metrics).first(metrics)) {
     for (const Comparison& comparison : judged.comparisons) {
       if (verdict_of(comparison) == Verdict::not_tested) continue;
-      table.rows.push_back(row_of(comparison, judged));
+      table.rows.push_back(pair_row(comparison, judged));
       if (const auto* const tested = std::get_if<TestResult>(&comparison.result)) sizes.insert(tested->n);
     }
   }
-  if (answer.direction.empty() || sizes.size() < 2) return table;
+  if (model.direction.empty() || sizes.size() < 2) return table;
   // Pairs of a file that have different blocks in common tell how many.
   std::ranges::find(table.columns, "n", &Column::name)->role = ColumnRole::value;
   return table;
 }
 
-Table descriptives_table(const ReportModel& answer) {
+Table descriptives_table(const ReportModel& model) {
   Table table{
       .name = "descriptives",
       .caption = "By metric and solver",
       .columns = named_columns({"metric", "solver", "n", "mean", "sd", "median", "lower quartile", "upper quartile",
                                 "95 % quantile", "smallest", "largest", "interval", "unit", "missing"})};
-  bool is_any_lost = false, is_any_share = false;
-  for (const JudgedMetric& judged : answer.metrics) {
+  bool is_any_missing = false, is_any_share = false;
+  for (const JudgedMetric& judged : model.metrics) {
     const MetricSamples& samples = judged.samples;
-    for (const std::string& solver : answer.solvers()) {
+    for (const std::string& solver : model.solvers()) {
       const std::size_t i = index_of(samples, solver);
       if (i == samples.groups.size()) continue;
-      const Descriptives& its = judged.descriptives[i];
+      const Descriptives& descriptives = judged.descriptives[i];
       const Group& group = samples.groups[i];
       auto& row = table.rows.emplace_back();
-      row = {samples.quantity, group.name, std::int64_t{its.n}, value_cell(group, its.mean)};
-      const std::optional<Interval> interval = interval_of(judged, its);
+      row = {samples.quantity, group.name, std::int64_t{descriptives.n}, value_cell(group, descriptives.mean)};
+      const std::optional<Interval> interval = share_interval(judged, descriptives);
       for (const double value :
-           {its.sd, its.median, its.lower_quartile, its.upper_quartile, its.quantile_95, its.smallest, its.largest})
+           {descriptives.sd, descriptives.median, descriptives.lower_quartile, descriptives.upper_quartile,
+            descriptives.quantile_95, descriptives.smallest, descriptives.largest})
         row.push_back(interval ? Cell() : value_cell(group, value));
       row.push_back(interval ? Cell(*interval) : Cell());
       is_any_share |= interval.has_value();
       row.emplace_back(samples.unit);
       row.push_back(missing_in(group) > 0 ? Cell(std::int64_t{missing_in(group)}) : Cell());
-      is_any_lost |= missing_in(group) > 0;
+      is_any_missing |= missing_in(group) > 0;
     }
   }
-  table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", answer.noun,
-                             answer.direction.empty()
+  table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", model.noun,
+                             model.direction.empty()
                                  ? "; of costs those that a solver solved, of costs per solved all, of times "
                                    "sessions, with their geometric mean"
                                  : "",
                              is_any_share ? " Interval: Wilson's." : "")};
-  if (is_any_lost) table.notes.emplace_back("missing: without a value; such a solver is not tested.");
+  if (is_any_missing) table.notes.emplace_back("missing: without a value; such a solver is not tested.");
   return table;
 }
 
-Table omnibus_table(const ReportModel& answer) {
+Table omnibus_table(const ReportModel& model) {
   Table table{.name = "anova",
               .caption = "Do the solvers differ at all?",
               .columns = named_columns({"metric", "test", "source", "SS", "df", "MS", "statistic", "p", "eta squared",
                                         "partial eta squared", "epsilon"})};
   table.columns[7].role = ColumnRole::p;
   NamesByPhrase left_out;
-  for (const JudgedMetric& judged : answer.metrics) {
+  for (const JudgedMetric& judged : model.metrics) {
     const auto [tests, without] = omnibus_tests(judged.samples);
     const std::string& quantity = judged.samples.quantity;
     const auto known = [](double value) { return std::isnan(value) ? Cell() : Cell(value); };
@@ -492,18 +581,18 @@ Table omnibus_table(const ReportModel& answer) {
   return table;
 }
 
-base::OrderedJson to_json(const ReportModel& answer) {
+base::OrderedJson to_json(const ReportModel& model) {
   base::OrderedJson warnings = base::OrderedJson::array(), direction;
-  const Table pairs = pairs_table(answer);
-  std::vector<std::string> notes = answer.notes;
+  const Table pairs = pairs_table(model);
+  std::vector<std::string> notes = model.notes;
   notes.insert(notes.end(), pairs.notes.begin(), pairs.notes.end());
-  for (const JudgedMetric& judged : answer.metrics)
+  for (const JudgedMetric& judged : model.metrics)
     direction[judged.samples.quantity] = judged.samples.better == Better::larger ? "larger" : "smaller";
-  for (const Warning& warning : answer.all_warnings()) warnings.push_back(warning_text(warning));
-  return {{"headline", headline(answer)},
-          {"metric", answer.primary().samples.quantity},
-          {"groups", to_json(descriptives_table(answer))},
-          {"tests", to_json(omnibus_table(answer))},
+  for (const Warning& warning : model.all_warnings()) warnings.push_back(warning_text(warning));
+  return {{"headline", headline(model)},
+          {"metric", model.primary().samples.quantity},
+          {"groups", to_json(descriptives_table(model))},
+          {"tests", to_json(omnibus_table(model))},
           {"findings", to_json(pairs)},
           {"direction", std::move(direction)},
           {"doubts", std::move(warnings)},

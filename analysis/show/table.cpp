@@ -82,18 +82,19 @@ std::string written(const Cell& cell, const Column& column, const Format& format
 bool has(const Table& table, std::size_t column, auto is_so) {
   return std::ranges::any_of(table.rows, [&](const auto& row) { return is_so(row[column]); });
 }
-const std::string* text_of(const Cell& cell) {
+const std::string* shown_text(const Cell& cell) {
   const auto* const judgement = std::get_if<VerdictCell>(&cell);
   return judgement ? &judgement->text : std::get_if<std::string>(&cell);
 }
-bool is_text(const Cell& cell) { return text_of(cell) != nullptr; }
+bool is_text(const Cell& cell) { return shown_text(cell) != nullptr; }
 bool is_printed(const Cell& cell) { return std::holds_alternative<PublishedNumber>(cell); }
-const ValueCell& marked_of(const Cell& cell) {
+// Returns the value cell; of another cell one without mark, interval and scale.
+const ValueCell& value_cell_of(const Cell& cell) {
   static const ValueCell none{};
-  const auto* const marked = std::get_if<ValueCell>(&cell);
-  return marked ? *marked : none;
+  const auto* const value = std::get_if<ValueCell>(&cell);
+  return value ? *value : none;
 }
-bool is_ratio(const Cell& cell) { return marked_of(cell).relative_to_reference == judge::EffectScale::ratio; }
+bool is_ratio(const Cell& cell) { return value_cell_of(cell).relative_to_reference == judge::EffectScale::ratio; }
 // As readers see it: with the decimals of the printed where three digits would round it onto an end.
 ValueCell ours_of(const PublishedNumber& cell, const Boundaries& ends) {
   if (number_within(cell.ours, ends) == number_text(cell.ours)) return {.value = cell.ours};
@@ -116,9 +117,9 @@ Table for_readers(Table table) {
       const auto next = static_cast<std::ptrdiff_t>(c + 1);
       table.columns.insert(table.columns.begin() + next, {"printed"});
       for (auto& row : table.rows) {
-        const auto* const its = std::get_if<PublishedNumber>(&row[c]);
-        Cell printed = its ? Cell(*its) : Cell();
-        if (its) row[c] = ours_of(*its, table.columns[c].boundaries);
+        const auto* const published = std::get_if<PublishedNumber>(&row[c]);
+        Cell printed = published ? Cell(*published) : Cell();
+        if (published) row[c] = ours_of(*published, table.columns[c].boundaries);
         row.insert(row.begin() + next, std::move(printed));
       }
     }
@@ -147,59 +148,105 @@ Rows readable(const Table& table, const Format& format) {
   return rows;
 }
 
-constexpr std::string_view its_times = "times", its_mark = "mark";  // have no unit
-constexpr std::string_view all_members[]{"",     "printed", its_times,  "difference", "low",
-                                         "high", "sd",      "excluded", its_mark};
+constexpr std::string_view times_member = "times", mark_member = "mark";  // without unit
+constexpr std::string_view all_members[]{"",     "printed", times_member, "difference", "low",
+                                         "high", "sd",      "excluded",   mark_member};
 
-// The members of a cell in files of numbers, by the words that follow the name of its column.
-std::map<std::string_view, Json> members(const Cell& cell) {
-  const ValueCell& marked = marked_of(cell);
-  const auto* const interval = std::get_if<judge::Interval>(&cell);
-  const auto* const spread = interval ? interval : marked.interval ? &*marked.interval : nullptr;
-  std::map<std::string_view, Json> all;
-  if (const auto* const text = text_of(cell)) all[""] = *text;
-  if (const auto* const judgement = std::get_if<VerdictCell>(&cell); judgement && !judgement->key.empty())
-    all[""] = judgement->key;
-  if (const auto* const count = std::get_if<std::int64_t>(&cell)) all[""] = *count;
-  if (const auto* const plain = std::get_if<double>(&cell)) all[""] = base::json_of(*plain);
-  if (const auto* const printed = std::get_if<PublishedNumber>(&cell))
-    all[""] = base::json_of(printed->ours), all["printed"] = printed->printed;
-  if (std::holds_alternative<ValueCell>(cell))
-    all[is_ratio(cell) ? its_times : marked.relative_to_reference ? "difference" : ""] = base::json_of(marked.value);
-  if (spread) all["low"] = base::json_of(spread->low), all["high"] = base::json_of(spread->high);
-  if (marked.sd) all["sd"] = base::json_of(*marked.sd);
-  if (interval && (interval->excludes_low || interval->excludes_high))
-    all["excluded"] = interval->excludes_low ? "low" : "high";
-  if (!marked.mark.empty()) all[its_mark] = marked.mark;
-  return all;
+using Members = std::map<std::string_view, Json>;
+
+void add_interval(Members& members, const judge::Interval& interval) {
+  members["low"] = base::json_of(interval.low);
+  members["high"] = base::json_of(interval.high);
 }
 
-// A column of files of numbers: a member that cells of a column have.
-struct Flat {
-  std::string name, unit;  // "error low", but "low" alone of a column that has nothing else
+std::string_view scale_member(const ValueCell& cell) {
+  if (!cell.relative_to_reference) return "";
+  return *cell.relative_to_reference == judge::EffectScale::ratio ? times_member : "difference";
+}
+
+void add_value(Members& members, const ValueCell& cell) {
+  members[scale_member(cell)] = base::json_of(cell.value);
+  if (cell.interval) add_interval(members, *cell.interval);
+  if (cell.sd) members["sd"] = base::json_of(*cell.sd);
+  if (!cell.mark.empty()) members[mark_member] = cell.mark;
+}
+
+// Returns the members of a cell in files of numbers, by the words that follow the name of the cell's column.
+Members members_of(const Cell& cell) {
+  Members members;
+  if (const auto* const text = shown_text(cell)) members[""] = *text;
+  if (const auto* const verdict = std::get_if<VerdictCell>(&cell); verdict && !verdict->key.empty())
+    members[""] = verdict->key;
+  if (const auto* const count = std::get_if<std::int64_t>(&cell)) members[""] = *count;
+  if (const auto* const number = std::get_if<double>(&cell)) members[""] = base::json_of(*number);
+  if (const auto* const published = std::get_if<PublishedNumber>(&cell)) {
+    members[""] = base::json_of(published->ours);
+    members["printed"] = published->printed;
+  }
+  if (const auto* const value = std::get_if<ValueCell>(&cell)) add_value(members, *value);
+  if (const auto* const interval = std::get_if<judge::Interval>(&cell)) {
+    add_interval(members, *interval);
+    if (interval->excludes_low || interval->excludes_high)
+      members["excluded"] = interval->excludes_low ? "low" : "high";
+  }
+  return members;
+}
+
+// A column of files of numbers: one member of the cells of a column.
+struct FlatColumn {
+  std::string name, unit;  // "error low", but only "low" in a column of intervals
   std::vector<Json> values = {};
 };
 
-std::vector<Flat> flat(const Table& table) {
-  std::vector<Flat> all;
+// True if files of numbers have the member although no cell has it, so that the columns of a table do not depend on its
+// values.
+bool has_always(std::string_view member, const Table& table, std::size_t column) {
+  if (table.columns[column].role == ColumnRole::interval)
+    return member == "low" || member == "high" || member == "excluded";
+  const auto is_interval = [](const Cell& cell) { return std::holds_alternative<judge::Interval>(cell); };
+  return member.empty() && !has(table, column, is_interval);
+}
+
+std::string flat_name(const Column& column, std::string_view member) {
+  if (member.empty()) return column.name;
+  if (column.role == ColumnRole::interval) return std::string(member);
+  return fmt::format("{} {}", column.name, member);
+}
+
+std::vector<FlatColumn> flat_columns(const Table& table) {
+  std::vector<FlatColumn> flat;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    const auto& [title, unit, role, unit_of_cells, ends] = table.columns[c];
-    const bool is_interval = role == ColumnRole::interval,
-               has_intervals = has(table, c, [](auto&cell) { return std::holds_alternative<judge::Interval>(cell); });
-    std::vector<std::map<std::string_view, Json>> cells;
-    for (const auto& row : table.rows) cells.push_back(members(row[c]));
+    const Column& column = table.columns[c];
+    std::vector<Members> cells;
+    for (const auto& row : table.rows) cells.push_back(members_of(row[c]));
     for (const std::string_view member : all_members) {
-      const bool is_end = member == "low" || member == "high" || member == "excluded";
-      const auto is_there = [&](const auto& its) { return its.contains(member); };
-      if (!(is_interval ? is_end : member.empty() && !has_intervals) && std::ranges::none_of(cells, is_there)) continue;
-      Flat& its = all.emplace_back(Flat{member.empty() ? title
-                                        : is_interval  ? std::string(member)
-                                                       : fmt::format("{} {}", title, member),
-                                        member == its_times || member == its_mark ? "" : unit});
-      for (auto& cell : cells) its.values.push_back(std::move(cell[member]));
+      const auto has_member = [&](const Members& members) { return members.contains(member); };
+      if (!has_always(member, table, c) && std::ranges::none_of(cells, has_member)) continue;
+      const bool has_unit = member != times_member && member != mark_member;
+      FlatColumn& added =
+          flat.emplace_back(FlatColumn{.name = flat_name(column, member), .unit = has_unit ? column.unit : ""});
+      for (Members& members : cells) added.values.push_back(std::move(members[member]));
     }
   }
-  return all;
+  return flat;
+}
+
+// Returns LaTeX's letters for a column.
+const char* column_letters(bool is_long, bool holds_text, bool has_spreads) {
+  if (is_long) return "p{5cm}";
+  if (holds_text) return "l";
+  return has_spreads ? "r@{ }l" : "r";
+}
+
+// Returns the class of a column's cells on a page.
+const char* column_class(const Table& table, std::size_t column) {
+  if (has(table, column, is_printed)) return "number printed";
+  return has(table, column, is_text) ? "" : "number";
+}
+
+std::string csv_text(const Json& value) {
+  if (value.is_null()) return "";
+  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
 }  // namespace
@@ -214,20 +261,20 @@ std::string interval_text(const judge::Interval& interval, const Boundaries& end
   const auto end = [&](double value, bool is_excluded, const char* beyond, char sign) {
     if (std::isinf(value)) return std::string("no bound");
     const std::string text = number_within(value, ends);
-    return text[0] == sign ? beyond + text.substr(2) : (is_excluded ? beyond : "") + number_text(value);
+    if (text[0] == sign) return beyond + text.substr(2);
+    return (is_excluded ? beyond : "") + number_text(value);
   };
   return fmt::format("{} to {}", end(interval.low, interval.excludes_low, "above ", '>'),
                      end(interval.high, interval.excludes_high, "below ", '<'));
 }
 
 std::string to_csv(const Table& table) {
-  const std::vector<Flat> columns = flat(table);
+  const std::vector<FlatColumn> columns = flat_columns(table);
   std::vector<std::vector<std::string>> rows(1 + table.rows.size());
-  for (const Flat& column : columns) {
+  for (const FlatColumn& column : columns) {
     rows[0].push_back(column.name + (column.unit.empty() ? "" : fmt::format(" [{}]", column.unit)));
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
-      const Json& value = column.values[r];
-      rows[r + 1].push_back(value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump());
+      rows[r + 1].push_back(csv_text(column.values[r]));
     }
   }
   std::string text;
@@ -237,7 +284,7 @@ std::string to_csv(const Table& table) {
 
 Json to_json(const Table& table) {
   std::vector<Json> rows(table.rows.size(), Json::object());
-  for (Flat& column : flat(table)) {
+  for (FlatColumn& column : flat_columns(table)) {
     for (char& letter : column.name) letter = letter == ' ' ? '_' : static_cast<char>(std::tolower(letter));
     for (std::size_t r = 0; r < rows.size(); ++r) rows[r][column.name] = std::move(column.values[r]);
   }
@@ -260,14 +307,14 @@ std::string to_markdown(const Table& whole) {
 
 std::string to_latex(const Table& whole) {
   const Table table = for_readers(whole);
-  const auto is_long = [](const Cell& cell) { return is_text(cell) && character_count(*text_of(cell)) > 60; };
-  const auto has_spread = [](const Cell& cell) { return marked_of(cell).interval || marked_of(cell).sd; };
-  const auto has_mark = [](const Cell& cell) { return !marked_of(cell).mark.empty(); };
+  const auto is_long = [](const Cell& cell) { return is_text(cell) && character_count(*shown_text(cell)) > 60; };
+  const auto has_spread = [](const Cell& cell) { return value_cell_of(cell).interval || value_cell_of(cell).sd; };
+  const auto has_mark = [](const Cell& cell) { return !value_cell_of(cell).mark.empty(); };
   Rows rows = readable(table, of_latex);
   std::string letters, lines;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const bool are_long = has(table, c, is_long), have_spreads = has(table, c, has_spread);
-    letters += are_long ? "p{5cm}" : has(table, c, is_text) ? "l" : have_spreads ? "r@{ }l" : "r";
+    letters += column_letters(are_long, has(table, c, is_text), have_spreads);
     const std::string room = has(table, c, has_mark) ? "@{\\hspace{14pt}}" : "";  // for them
     letters += room;
     for (std::size_t r = 1; r < rows.size(); ++r) {
@@ -301,15 +348,14 @@ std::string to_html(const Table& whole) {
   const Table table = for_readers(whole);
   const Rows rows = readable(table, of_html);
   std::vector<std::string> classes;
-  for (std::size_t c = 0; c < table.columns.size(); ++c)
-    classes.emplace_back(has(table, c, is_printed) ? "number printed" : has(table, c, is_text) ? "" : "number");
+  for (std::size_t c = 0; c < table.columns.size(); ++c) classes.emplace_back(column_class(table, c));
   const auto line = [&](std::size_t r, std::string_view tag) {
     std::string text;
     for (std::size_t c = 0; c < rows[r].size(); ++c) {
       const auto* const judgement = r == 0 ? nullptr : std::get_if<VerdictCell>(&table.rows[r - 1][c]);
       const bool is_long = classes[c].empty() && !judgement && character_count(rows[r][c]) > long_text;
-      const std::string its = is_long ? "long" : classes[c];
-      text += fmt::format("<{}{}>", tag, its.empty() ? "" : fmt::format(" class=\"{}\"", its));
+      const std::string cell_class = is_long ? "long" : classes[c];
+      text += fmt::format("<{}{}>", tag, cell_class.empty() ? "" : fmt::format(" class=\"{}\"", cell_class));
       text += judgement ? fmt::format("<span class=\"{}\">{}</span>", pills[static_cast<std::size_t>(judgement->tone)],
                                       rows[r][c])
                         : rows[r][c];
@@ -332,10 +378,10 @@ std::string to_text(const Table& whole) {
   }
   std::set<std::string> names;
   for (const auto& row : table.rows)
-    if (is_text(row[0])) names.insert(*text_of(row[0]));
+    if (is_text(row[0])) names.insert(*shown_text(row[0]));
   const auto short_of = base::short_names({names.begin(), names.end()});
   for (auto& row : table.rows)
-    if (is_text(row[0])) row[0] = short_of.at(*text_of(row[0]));
+    if (is_text(row[0])) row[0] = short_of.at(*shown_text(row[0]));
   std::string text = align_columns(readable(table, of_screen));
   for (const std::string& note : table.notes) text += wrapped_paragraph(note, "");
   return text;

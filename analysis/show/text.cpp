@@ -121,7 +121,8 @@ std::string number_within(double value, const Boundaries& ends, int digits) {
 }
 
 std::string p_text(double p, const Boundaries& ends) {
-  return p < 0.0001 ? "< 0.0001" : number_within(p, ends, p < 0.001 ? 2 : 3);
+  if (p < 0.0001) return "< 0.0001";
+  return number_within(p, ends, p < 0.001 ? 2 : 3);
 }
 
 std::string as_sentence(std::string text) {
@@ -138,10 +139,13 @@ std::vector<std::string> wrap_words(std::string_view text, std::size_t first, st
     end = std::min(end, text.size());
     const std::string_view word = text.substr(at, end - at);
     const std::size_t length = character_count(word), width = lines.size() == 1 ? first : others;
-    if (used > 0 && used + 1 + length > width)
-      lines.emplace_back(), used = 0;
-    else if (at > 0)
-      lines.back() += ' ', ++used;
+    if (used > 0 && used + 1 + length > width) {
+      lines.emplace_back();
+      used = 0;
+    } else if (at > 0) {
+      lines.back() += ' ';
+      ++used;
+    }
     lines.back() += word;
     used += length;
     at = end + 1;

@@ -60,6 +60,6 @@ solvers = [{ label = "random", solver = "random_search" }]
   experiments::run(study, store, {});
   const auto reported = show::make_report(judge::judge(judge::read_study(store, store.study("mine"))), {});
   show::write_report(reported, "made", {.only = {"none"}});
-  std::puts(show::headline(reported.answer).c_str());
-  std::puts(show::to_markdown(show::results_table(reported.answer)).c_str());
+  std::puts(show::headline(reported.model).c_str());
+  std::puts(show::to_markdown(show::results_table(reported.model)).c_str());
 }

@@ -63,18 +63,18 @@ TEST_CASE("one that is best alone, and what is no study, have no second question
 }
 
 TEST_CASE("the plan says what a headline goes on to", "[show]") {
-  const ReportModel answer = model_of_three(values_around(0.03, 0.3), true, {"evaluations", "time"});
-  CHECK(tie_breaker_sentence(answer).starts_with("A needs the fewest evaluations"));
-  CHECK(ranking_note(answer) == "Judged by solved, then evaluations");
+  const ReportModel model = model_of_three(values_around(0.03, 0.3), true, {"evaluations", "time"});
+  CHECK(tie_breaker_sentence(model).starts_with("A needs the fewest evaluations"));
+  CHECK(ranking_note(model) == "Judged by solved, then evaluations");
 }
 
 TEST_CASE("numbers of a headline stand behind their solvers, equal ones together", "[show]") {
   const auto of = [](std::vector<std::pair<std::string, int>> solvers) {
     std::vector<std::pair<std::string, std::vector<double>>> groups;
     for (const auto& [name, count] : solvers) groups.emplace_back(name, solved(count));
-    ReportModel answer = make_report_model({judged(shares(std::move(groups)))});
-    answer.noun = "targets";
-    return headline(answer);
+    ReportModel model = make_report_model({judged(shares(std::move(groups)))});
+    model.noun = "targets";
+    return headline(model);
   };
   CHECK(of({{"A", 20}, {"B", 20}, {"C", 18}}) == "A and B solved all 20 targets, C 18 (not decided).");
   CHECK(of({{"A", 19}, {"B", 18}, {"C", 3}}) == "A solved 19 of 20 targets, B 18 (not decided); C (3) is worse.");

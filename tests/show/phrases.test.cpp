@@ -28,9 +28,9 @@ std::vector<double> two_modes(double first, int lower, double second) {
   return values;
 }
 
-std::string table_of_verdicts(const ReportModel& answer) {
+std::string table_of_verdicts(const ReportModel& model) {
   std::string text;
-  for (const judge::JudgedMetric& judged : answer.metrics) {
+  for (const judge::JudgedMetric& judged : model.metrics) {
     for (const judge::Comparison& comparison : judged.comparisons)
       text += fmt::format("  {} vs {}: {}\n", comparison.first, comparison.second, comparison_text(comparison, judged));
   }
@@ -75,8 +75,8 @@ TEST_CASE("a limit of one is one", "[show]") {
 
 TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   std::string all;
-  const auto add = [&](const std::string& what, const ReportModel& answer) {
-    all += fmt::format("{}:\n  {}\n{}", what, headline(answer), table_of_verdicts(answer));
+  const auto add = [&](const std::string& what, const ReportModel& model) {
+    all += fmt::format("{}:\n  {}\n{}", what, headline(model), table_of_verdicts(model));
   };
   const auto a = values_around(1, 0.5), b = values_around(3, 0.5), c = values_around(3.1, 0.5);
   add("best of three", of(shares({{"mine", solved(6)}, {"PSO", solved(13)}, {"DLS", solved(20)}})));

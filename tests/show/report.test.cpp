@@ -42,14 +42,14 @@ TEST_CASE("each section has its words", "[show]") {
     std::erase(name, '?');
     check_golden(name + ".md", text);
   }
-  check_golden("screen.txt", terminal_report(make_report().answer, "out/mine/report.html"));
+  check_golden("screen.txt", terminal_report(make_report().model, "out/mine/report.html"));
 }
 
 TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
   const Report report = make_report();
-  const auto json = to_json(report.answer);
-  const Table results = results_table(report.answer);
-  const std::string on_screen = terminal_report(report.answer);
+  const auto json = to_json(report.model);
+  const Table results = results_table(report.model);
+  const std::string on_screen = terminal_report(report.model);
   for (const auto& row : results.rows) {
     const auto& solver = std::get<std::string>(row[0]);
     for (std::size_t c = 1; c < row.size(); ++c) {
@@ -57,7 +57,7 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
       const auto* marked = std::get_if<ValueCell>(&row[c]);
       if (std::holds_alternative<std::monostate>(row[c])) continue;
       if (marked && marked->relative_to_reference) {
-        const auto of = std::ranges::find(report.answer.metrics, metric,
+        const auto of = std::ranges::find(report.model.metrics, metric,
                                           [](const judge::JudgedMetric& each) { return each.samples.quantity; });
         const judge::Comparison comparison = judge::better_first(*find_comparison(*of, solver, "DLS"), "DLS");
         CHECK(marked->value == comparison.estimate->value);
@@ -90,14 +90,14 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
 
 TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
   std::string all;
-  const auto add = [&](const std::string& what, const ReportModel& answer) {
+  const auto add = [&](const std::string& what, const ReportModel& model) {
     all += fmt::format("{}:\n", what);
-    for (const std::string& sentence : results_sentences(answer)) all += fmt::format("  {}\n", sentence);
+    for (const std::string& sentence : results_sentences(model)) all += fmt::format("  {}\n", sentence);
   };
   const auto of = [](judge::MetricSamples samples, const judge::AnalysisPlan& plan = {}) {
-    ReportModel answer = make_report_model({judged(std::move(samples), plan)});
-    answer.noun = "targets";
-    return answer;
+    ReportModel model = make_report_model({judged(std::move(samples), plan)});
+    model.noun = "targets";
+    return model;
   };
   const auto errors_of = [](std::size_t solvers) {
     std::vector<std::pair<std::string, std::vector<double>>> groups;
@@ -107,7 +107,7 @@ TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
     errors.is_paired = true;
     return errors;
   };
-  add("a study of three", make_report().answer);
+  add("a study of three", make_report().model);
   add("two", of(errors_of(2)));
   add("two by means", of(errors_of(2), {.test = results::AnalysisPlan::Test::means}));
   add("ten", of(errors_of(10)));
@@ -163,8 +163,8 @@ TEST_CASE("below the pairs of two solvers stands which metric decides", "[show]"
     return judged(numbers(metric, metric, "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}));
   };
   ReportModel two = make_report_model({of_two("error"), of_two("effort")}, 1);
-  const auto is_told = [](const ReportModel& answer) {
-    return terminal_report(answer).find(ranking_note(answer)) != std::string::npos;
+  const auto is_told = [](const ReportModel& model) {
+    return terminal_report(model).find(ranking_note(model)) != std::string::npos;
   };
   CHECK(ranking_note(two) == "Judged by effort");
   CHECK(is_told(two));

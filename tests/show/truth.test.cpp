@@ -77,11 +77,11 @@ ReportModel answer_with(const std::vector<double>& numbers, const std::vector<Co
 }
 
 // A fact that no finding bears out, or who is left out; empty if all is well.
-std::string too_much(const ReportModel& answer) {
+std::string too_much(const ReportModel& model) {
   using What = Statement::StatementKind;
   using Names = std::vector<std::string>;
-  const JudgedMetric& judged = answer.primary();
-  const Names all = answer.solvers();
+  const JudgedMetric& judged = model.primary();
+  const Names all = model.solvers();
   const std::set<std::string> losers = beaten_solvers(judged.comparisons);
   const auto each = [&](const Names& some, const Names& others, auto is_so) {
     for (const std::string& one : some) {
@@ -104,7 +104,7 @@ std::string too_much(const ReportModel& answer) {
     return std::get<TestResult>(comparison->result).is_below_margin;
   };
   std::multiset<std::string> told;
-  for (const auto& [what, who, against, is_little] : answer.questions.front().statements) {
+  for (const auto& [what, who, against, is_little] : model.questions.front().statements) {
     const Names& others = against.empty() ? who : against;
     told.insert(who.begin(), who.end());
     if (what == What::best) told.insert(against.begin(), against.end());
@@ -126,10 +126,10 @@ std::string too_much(const ReportModel& answer) {
 }
 
 // What a paragraph of results lacks: the pairs, or their counts.
-std::string wrong_in_results(const ReportModel& answer) {
-  const JudgedMetric& judged = answer.primary();
-  const std::vector<std::string> sentences = results_sentences(answer);
-  if (sentences.front() != headline(answer)) return "no headline";
+std::string wrong_in_results(const ReportModel& model) {
+  const JudgedMetric& judged = model.primary();
+  const std::vector<std::string> sentences = results_sentences(model);
+  if (sentences.front() != headline(model)) return "no headline";
   std::map<std::string, int> counts;
   for (const Comparison& its : judged.comparisons)
     ++counts[judged.comparisons.size() <= max_pairs
@@ -143,10 +143,10 @@ std::string wrong_in_results(const ReportModel& answer) {
 }
 
 // The same of the table of results and that of pairs.
-std::string wrong_in_tables(const ReportModel& answer) {
-  const JudgedMetric& judged = answer.primary();
+std::string wrong_in_tables(const ReportModel& model) {
+  const JudgedMetric& judged = model.primary();
   const std::set<std::string> losers = beaten_solvers(judged.comparisons);
-  for (const auto& row : results_table(answer).rows) {
+  for (const auto& row : results_table(model).rows) {
     const auto* const cell = std::get_if<ValueCell>(&row[1]);
     if (cell == nullptr) return "a number that is known is not shown";
     const std::string& name = std::get<std::string>(row[0]);
@@ -158,8 +158,8 @@ std::string wrong_in_tables(const ReportModel& answer) {
   };
   const auto decided = std::ranges::count_if(
       judged.comparisons, [](const Comparison& comparison) { return is_difference(verdict_of(comparison)); });
-  if (count(pairs_table(answer), is_decided) != decided) return "a decided pair is not told";
-  const nlohmann::ordered_json json = to_json(answer);
+  if (count(pairs_table(model), is_decided) != decided) return "a decided pair is not told";
+  const nlohmann::ordered_json json = to_json(model);
   for (const auto& comparison : json["findings"]) {
     if (comparison.size() != json["findings"][0].size()) return "members of JSON";
     if (comparison["p"].is_null() != !comparison["reason"].is_null()) return "p or a reason";
@@ -170,14 +170,14 @@ std::string wrong_in_tables(const ReportModel& answer) {
 int checked = 0;
 
 void check(const std::vector<double>& numbers, const std::vector<Comparison>& kinds, const std::string& control = "") {
-  const ReportModel answer = answer_with(numbers, kinds, control);
-  const std::string said = too_much(answer), shown = wrong_in_tables(answer), told = wrong_in_results(answer);
+  const ReportModel model = answer_with(numbers, kinds, control);
+  const std::string said = too_much(model), shown = wrong_in_tables(model), told = wrong_in_results(model);
   ++checked;
   if (said.empty() && shown.empty() && told.empty()) return;
   std::string pairs;
-  for (const Comparison& comparison : answer.primary().comparisons)
+  for (const Comparison& comparison : model.primary().comparisons)
     pairs += fmt::format("{}{} {}; ", comparison.first, comparison.second, name_of(verdict_of(comparison)));
-  CAPTURE(said, shown, told, results_sentences(answer), headline(answer), pairs, to_text(results_table(answer)));
+  CAPTURE(said, shown, told, results_sentences(model), headline(model), pairs, to_text(results_table(model)));
   FAIL();
 }
 
