@@ -65,6 +65,12 @@ void complete_svg(std::string& svg, const Figure& figure) {
   boost::replace_all(svg, "]]>", "]]&gt;");  // gnuplot leaves the > of a label as it is, and XML forbids ]]> in a text
 }
 
+// The last bytes of a complete picture of a type.
+std::string_view end_of_picture(const std::string& type) {
+  if (type == "svg") return "</svg>";
+  return type == "pdf" ? "%%EOF" : "IEND\xAE\x42\x60\x82";
+}
+
 // Draws in the workshop, then writes the pictures to their place. Returns what gnuplot warns of, such as data that it
 // cannot read. Throws std::invalid_argument with the reason if it could not draw, std::runtime_error if a disk is full.
 std::string draw(const Figure& figure, const std::filesystem::path& workshop, const RenderOptions& options) {
@@ -75,7 +81,7 @@ std::string draw(const Figure& figure, const std::filesystem::path& workshop, co
   if (!result.succeeded)
     throw std::invalid_argument(result.output.empty() ? gnuplot + " failed without a message" : result.output);
   for (const std::string& type : options.style.formats) {
-    const std::string_view end = type == "svg" ? "</svg>" : type == "pdf" ? "%%EOF" : "IEND\xAE\x42\x60\x82";
+    const std::string_view end = end_of_picture(type);
     const std::string file = figure.name + "." + type;
     std::optional<std::string> picture = read_file(workshop / file);
     if (!picture) throw std::invalid_argument(fmt::format("{} drew no {}: {}", gnuplot, file, result.output));
@@ -158,36 +164,36 @@ std::vector<std::string> write_figures(const std::vector<Figure>& figures, const
   std::atomic<std::size_t> next = 0;
   std::mutex one_at_a_time;
   std::int64_t done = 0;
-  std::vector<std::string> told(figures.size());
+  std::vector<std::string> warnings(figures.size());
   const auto work = [&] {
     for (std::size_t turn = next++; turn < figures.size(); turn = next++) {
       const std::size_t i = figures.size() - 1 - turn;  // the longest is the last; no processor waits for it
       const Figure& figure = figures[i];
-      std::string& of_figure = told[i];
       try {
         const std::string warning = draw(figure, workshop.path(), options);
         remove_pictures(figure, folder, options.style.formats);
-        if (!warning.empty()) of_figure = fmt::format("{} may lack something: {}", figure.name, warning);
+        if (!warning.empty()) warnings[i] = fmt::format("{} may lack something: {}", figure.name, warning);
       } catch (const std::exception& error) {
         remove_pictures(figure, folder, {});
         if (dynamic_cast<const std::invalid_argument*>(&error) == nullptr) throw;  // ends the report
-        of_figure = fmt::format("{} is not drawn: {}", figure.name, error.what());
+        warnings[i] = fmt::format("{} is not drawn: {}", figure.name, error.what());
       }
       if (!options.progress) continue;
       const std::scoped_lock lock(one_at_a_time);
       options.progress(++done, static_cast<std::int64_t>(figures.size()));
     }
   };
-  std::vector<std::future<void>> all(std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, figures.size()));
-  for (std::future<void>& each : all) each = std::async(std::launch::async, work);
-  for (std::future<void>& each : all) each.get();
-  if (std::ranges::none_of(told, &std::string::empty)) {
+  std::vector<std::future<void>> workers(
+      std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, figures.size()));
+  for (std::future<void>& worker : workers) worker = std::async(std::launch::async, work);
+  for (std::future<void>& worker : workers) worker.get();
+  if (std::ranges::none_of(warnings, &std::string::empty)) {
     const ChildProcess::Ran gnuplot = ChildProcess::run({options.gnuplot, "--version"}, {}, {});
     if (!gnuplot.succeeded)
       return {fmt::format("figures are not drawn: {}; install gnuplot, then give the command again", gnuplot.output)};
   }
-  std::erase_if(told, [](const std::string& text) { return text.empty(); });
-  return told;
+  std::erase_if(warnings, [](const std::string& text) { return text.empty(); });
+  return warnings;
 }
 
 }  // namespace ikbench::figures

@@ -39,6 +39,20 @@ std::size_t place_in(std::vector<std::string>& palette, const std::string& colou
   return place;
 }
 
+// True if a figure has a "caption", or a title of the axis "x" or "y".
+bool has_part(const Figure& figure, const std::string& part) {
+  return part == "caption" || (figure.settings + figure.plot).find(part + "_title") != std::string::npos;
+}
+
+// Gives a part of a figure another text; an empty one changes nothing.
+void reword(Figure& figure, const std::string& part, const std::string& text) {
+  if (text.empty()) return;
+  if (part == "caption")
+    figure.caption = text;
+  else
+    figure.titles += fmt::format("{}_title = {}\n", part, gnuplot_text(text));
+}
+
 }  // namespace
 
 std::map<std::string, int> line_styles(const std::vector<Series>& solvers, FigureStyle& style) {
@@ -55,10 +69,10 @@ std::map<std::string, int> line_styles(const std::vector<Series>& solvers, Figur
     for (std::size_t i = 0; i < markers * hues; ++i) {
       if (i % hues < from || i % hues >= to) continue;
       std::array<int, 4> users{};
-      for (const auto& [algorithm, its] : given) {
-        if (its % hues == i % hues) ++users[0];
-        if (its == i) ++users[1];
-        if (its % markers == i % markers) ++users[algorithm == solver.algorithm ? 2 : 3];
+      for (const auto& [algorithm, place] : given) {
+        if (place % hues == i % hues) ++users[0];
+        if (place == i) ++users[1];
+        if (place % markers == i % markers) ++users[algorithm == solver.algorithm ? 2 : 3];
       }
       by_users.emplace(users, i);
     }
@@ -75,8 +89,10 @@ std::map<std::string, int> line_styles(const std::vector<Series>& solvers, Figur
       const auto is_of = [&](const auto& solvers_of) { return std::ranges::count(solvers_of, solver.algorithm) > 0; };
       const auto place = static_cast<std::size_t>(std::ranges::find_if(own_solvers, is_of) - own_solvers.begin());
       if (own_colours < default_palette.size() || place == own_solvers.size()) continue;
-      const auto has_it = [&](const auto& other) { return other.second % hues == place; };
-      if (std::ranges::none_of(given, has_it)) give(solver, place, place + 1);
+      const auto has_place = [&](const auto& algorithm_and_place) {
+        return algorithm_and_place.second % hues == place;
+      };
+      if (std::ranges::none_of(given, has_place)) give(solver, place, place + 1);
     }
     for (const Series& solver : std::span(solvers).first(n)) give(solver, 0, own_colours);
   }
@@ -109,7 +125,8 @@ Look look_of(const JudgedStudy& judged, FigureStyle style) {
   // Which of them has which colour is no matter of its place.
   std::stable_partition(solvers.begin(), solvers.end(), is_among_first);
   Look look = look_of(std::move(solvers), std::move(style));
-  look.style.solvers = std::move(order), look.own = std::move(own);
+  look.style.solvers = std::move(order);
+  look.own = std::move(own);
   return look;
 }
 
@@ -120,21 +137,21 @@ bool is_meant(const std::string& figure, const std::string& name) {
 std::vector<std::string> reword(const std::vector<Figure*>& figures, const FigureStyle& style) {
   std::vector<std::string> unused;
   for (const auto& [name, words] : style.words) {
-    for (const auto& [of, text] : words) {
-      std::set<std::string> others;
+    for (const auto& [part, text] : words) {
+      std::set<std::string> other_figures;
       bool is_used = text.empty();
       for (Figure* const figure : figures) {
-        if (of != "caption" && (figure->settings + figure->plot).find(of + "_title") == std::string::npos) continue;
-        if (!is_meant(figure->name, name)) {
-          others.insert(figure->name);
-        } else if (is_used = true; of == "caption" && !text.empty()) {
-          figure->caption = text;
-        } else if (!text.empty()) {
-          figure->titles += fmt::format("{}_title = {}\n", of, gnuplot_text(text));
+        if (!has_part(*figure, part)) continue;
+        if (is_meant(figure->name, name)) {
+          is_used = true;
+          reword(*figure, part, text);
+        } else {
+          other_figures.insert(figure->name);
         }
       }
       if (!is_used)
-        unused.push_back(fmt::format("words.{}: there is no {}; it is in {}", name, of, fmt::join(others, ", ")));
+        unused.push_back(
+            fmt::format("words.{}: there is no {}; it is in {}", name, part, fmt::join(other_figures, ", ")));
     }
   }
   return unused;

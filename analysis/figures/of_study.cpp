@@ -58,7 +58,7 @@ std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_vie
     return each.samples.quantity_kind == metric_named(column).quantity_kind && !is_proportion(each.samples);
   });
   if (metric == judged.metrics.end()) return judged.study.labels;
-  const auto is_doubted = [&](const Group& group) {  // of several reasons a group has the first
+  const auto has_warning = [&](const Group& group) {  // of several reasons a group has the first
     return std::ranges::any_of(metric->samples.warnings, [&](const Warning& warning) {
       return warning.kind != WarningKind::dominated_by_few &&
              (warning.solvers.empty() || std::ranges::count(warning.solvers, group.name) > 0);
@@ -66,31 +66,39 @@ std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_vie
   };
   std::vector<std::string> without;
   for (const Group& group : metric->samples.groups) {
-    const auto* const its = excluded(group);
-    const bool is_lost = its && its->reason != ExclusionReason::nothing_solved && its->values.empty();
-    if (is_lost || is_doubted(group)) without.push_back(group.name);
+    const auto* const sample = excluded(group);
+    const bool is_missing = sample && sample->reason != ExclusionReason::nothing_solved && sample->values.empty();
+    if (is_missing || has_warning(group)) without.push_back(group.name);
   }
   return without;
 }
 
+// A figure of the shares of attempts that succeeded within a cost.
+struct ShareFigure {
+  About about;
+  std::string y_axis;
+  std::vector<std::string> not_compared = {};  // solvers to leave out
+  double dashed = nowhere;                     // a cost that matters; NaN: none
+};
+
 // The cost of a solve is NaN if it has none, as an attempt that failed.
-std::optional<Figure> shares_of(const StudyResults& study, About about, const std::string& y_axis,
-                                const std::vector<std::string>& without, const Look& look, double dashed, auto cost) {
+std::optional<Figure> shares_of(const StudyResults& study, ShareFigure figure, const Look& look, auto cost) {
   std::vector<std::string> solvers = drawn_solvers(study, look, true), left_out;
-  for (const std::string& solver : without)
+  for (const std::string& solver : figure.not_compared)
     if (std::erase(solvers, solver) > 0) left_out.push_back(look.names.at(solver));
   if (!left_out.empty() && solvers.size() < 2) return std::nullopt;  // nothing to see it against
   if (!left_out.empty())
-    about.caption += fmt::format(" Without {}, whose {} cannot be compared.", names_of(left_out), about.quantity);
-  std::vector<Successes> all;
+    figure.about.caption +=
+        fmt::format(" Without {}, whose {} cannot be compared.", names_of(left_out), figure.about.quantity);
+  std::vector<Successes> rows;
   for (const std::string& solver : solvers) {
-    Successes& its = all.emplace_back(Successes{.label = look.names.at(solver), .style = look.lines.at(solver)});
+    Successes& row = rows.emplace_back(Successes{.label = look.names.at(solver), .style = look.lines.at(solver)});
     for (const SolveSummary& solve : study.of(solver)) {
-      ++its.attempts;
-      if (const double value = cost(solve); !std::isnan(value)) its.costs.push_back(value);
+      ++row.attempts;
+      if (const double value = cost(solve); !std::isnan(value)) row.costs.push_back(value);
     }
   }
-  return shares(about, y_axis, all, dashed);
+  return shares(figure.about, figure.y_axis, rows, figure.dashed);
 }
 
 std::optional<Figure> solved_by(const JudgedStudy& judged, std::string_view column, std::string_view cost,
@@ -98,12 +106,15 @@ std::optional<Figure> solved_by(const JudgedStudy& judged, std::string_view colu
   const StudyResults& study = judged.study;
   const Metric& metric = metric_named(column);
   const double factor = drawn_unit(study, metric.unit).factor;
-  return shares_of(study, about_of(study, metric, fmt::format("Share of targets solved within {}.", cost)), "solved",
-                   not_compared(judged, column), look, nowhere, [&](const SolveSummary& solve) {
-                     return study.definition.has_tolerance() && solve.status == results::Status::ok
-                                ? factor * std::max(metric.value(solve, study), metric.floor)
-                                : nowhere;
-                   });
+  const auto cost_of = [&](const SolveSummary& solve) {
+    const bool is_solved = study.definition.has_tolerance() && solve.status == results::Status::ok;
+    return is_solved ? factor * std::max(metric.value(solve, study), metric.floor) : nowhere;
+  };
+  return shares_of(study,
+                   {.about = about_of(study, metric, fmt::format("Share of targets solved within {}.", cost)),
+                    .y_axis = "solved",
+                    .not_compared = not_compared(judged, column)},
+                   look, cost_of);
 }
 
 std::pair<Average, std::string_view> average_that_decides(const StudyResults& study) {
@@ -138,9 +149,10 @@ std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) 
       about_of(study, metric,
                fmt::format("Share of targets within a position error{}, up to 1000 times the tolerance (dashed).",
                            study.definition.has_direction() ? ", whatever the orientation" : ""));
-  return shares_of(study, about, "targets", {}, look, tolerance, [&, scale = factor](const SolveSummary& solve) {
+  const auto error_of = [&, scale = factor](const SolveSummary& solve) {
     return has_answer(solve) ? scale * std::max(solve.position_error_cm, metric.floor) : nowhere;
-  });
+  };
+  return shares_of(study, {.about = about, .y_axis = "targets", .dashed = tolerance}, look, error_of);
 }
 
 std::optional<Figure> metric_boxes(const JudgedStudy& judged, const Look& look) {
@@ -235,69 +247,118 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
   return overview(about, average + " joint motion [deg]", dots);
 }
 
+namespace {
+
+// The pairs that a figure of differences shows, the better solver first where it is not the control.
+struct ShownPairs {
+  std::vector<Comparison> pairs;
+  bool is_only_first = false;  // too many pairs: only those of the first solver
+};
+
+ShownPairs shown_pairs(const JudgedMetric& metric, const std::vector<std::string>& shown) {
+  const auto place = [&](const std::string& name) { return std::ranges::find(shown, name) - shown.begin(); };
+  const auto places = [&](const Comparison& pair) { return std::minmax({place(pair.first), place(pair.second)}); };
+  ShownPairs result{.pairs = metric.comparisons};
+  std::erase_if(result.pairs, [&](const Comparison& pair) {
+    return verdict_of(pair) == Verdict::not_tested || places(pair).second == std::ssize(shown);
+  });
+  result.is_only_first = result.pairs.size() > most_drawn_pairs && metric.plan.control.empty();
+  if (result.is_only_first)
+    std::erase_if(result.pairs, [&](const Comparison& pair) { return places(pair).first != 0; });
+  std::ranges::stable_sort(result.pairs, {}, places);
+  for (Comparison& pair : result.pairs)
+    pair = better_first(pair, metric.plan.control, place(pair.second) < place(pair.first));
+  return result;
+}
+
+double drawn_factor(EffectScale scale, const DrawnUnit& unit) {
+  switch (scale) {
+    case EffectScale::ratio:
+      return 1;
+    case EffectScale::share:
+      return 100;
+    case EffectScale::difference:
+      return unit.factor;
+  }
+  return 1;
+}
+
+std::string drawn_name(bool are_shares, const DrawnUnit& unit, bool are_ratios) {
+  if (are_ratios) return "";
+  return are_shares ? "points" : unit.name;
+}
+
+// The labels of a figure of differences. A solver that all pairs have stands above the rows, not in each of them.
+struct PairLabels {
+  const Look& look;
+  bool is_first_shared, is_second_shared;
+
+  PairLabels(const std::vector<Comparison>& pairs, const Look& of) : look(of) {
+    is_first_shared = is_shared(pairs, &Comparison::first);
+    is_second_shared = is_shared(pairs, &Comparison::second);
+  }
+  static bool is_shared(const std::vector<Comparison>& pairs, std::string Comparison::*name) {
+    return pairs.size() > 1 && std::ranges::count(pairs, pairs.front().*name, name) == std::ssize(pairs);
+  }
+  static const char* sign(const Comparison& pair) { return pair.scale == EffectScale::ratio ? "/" : "-"; }
+
+  std::string of_row(const Comparison& pair) const {
+    const std::string first = look.names.at(pair.first), second = look.names.at(pair.second);
+    if (is_first_shared) return second;
+    if (is_second_shared) return first;
+    const char joint = character_count(first + second) > 30 ? '\n' : ' ';
+    return fmt::format("{} {}{}{}", first, sign(pair), joint, second);
+  }
+  // The row above the others; nullopt if no solver is shared.
+  std::optional<IntervalRow> head(const std::vector<Comparison>& pairs) const {
+    if (!is_first_shared && !is_second_shared) return std::nullopt;
+    const Comparison& pair = pairs.front();
+    return IntervalRow{.label = fmt::format("{} {} {}", is_first_shared ? look.names.at(pair.first) : "…",
+                                            sign(pairs.back()), is_second_shared ? look.names.at(pair.second) : "…"),
+                       .verdict = is_first_shared ? "the first:" : ""};
+  }
+};
+
+IntervalRow interval_row(const Comparison& pair, const DrawnUnit& unit, const PairLabels& labels) {
+  IntervalRow row{.label = labels.of_row(pair)};
+  const double factor = drawn_factor(pair.scale, unit);
+  if (const std::optional<EffectEstimate>& estimate = pair.estimate) {
+    row.estimate = factor * estimate->value;
+    if (estimate->interval) {
+      row.low = factor * estimate->interval->low;
+      row.high = factor * estimate->interval->high;
+    }
+  }
+  const Verdict verdict = verdict_of(pair);
+  row.verdict = name_of(verdict);
+  if (is_difference(verdict)) row.style = labels.look.lines.at(verdict == Verdict::better ? pair.first : pair.second);
+  return row;
+}
+
+}  // namespace
+
 std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit& unit,
                                      const std::vector<std::string>& shown, const Look& look) {
   const MetricSamples& samples = metric.samples;
-  const auto place = [&](const std::string& name) { return std::ranges::find(shown, name) - shown.begin(); };
-  const auto places = [&](const Comparison& of_two) {
-    return std::minmax({place(of_two.first), place(of_two.second)});
-  };
-  std::vector<Comparison> comparisons = metric.comparisons;
-  std::erase_if(comparisons, [&](const Comparison& comparison) {
-    return verdict_of(comparison) == Verdict::not_tested || places(comparison).second == std::ssize(shown);
-  });
-  std::string only;
-  if (comparisons.size() > most_drawn_pairs && metric.plan.control.empty()) {
-    std::erase_if(comparisons, [&](const Comparison& comparison) { return places(comparison).first != 0; });
-    only = fmt::format(" Only the pairs of {}.", shown.front());
-  }
-  std::ranges::stable_sort(comparisons, {}, places);
-  for (Comparison& comparison : comparisons)
-    comparison = better_first(comparison, metric.plan.control, place(comparison.second) < place(comparison.first));
-  const auto is_shared = [&](std::string Comparison::*name) {
-    return comparisons.size() > 1 &&
-           std::ranges::count(comparisons, comparisons.front().*name, name) == std::ssize(comparisons);
-  };
-  const bool is_first = is_shared(&Comparison::first), is_second = is_shared(&Comparison::second);
+  const auto [pairs, is_only_first] = shown_pairs(metric, shown);
+  if (std::ranges::all_of(pairs, all_values_equal)) return std::nullopt;  // or there are none
+  const PairLabels labels(pairs, look);
   std::vector<IntervalRow> rows;
-  bool are_ratios = false;
-  for (const Comparison& comparison : comparisons) {
-    are_ratios = comparison.scale == EffectScale::ratio;
-    const double factor = are_ratios ? 1 : comparison.scale == EffectScale::share ? 100 : unit.factor;
-    IntervalRow& row = rows.emplace_back();
-    const std::string first = look.names.at(comparison.first), second = look.names.at(comparison.second);
-    const char joint = character_count(first + second) > 30 ? '\n' : ' ';
-    row.label = is_first    ? second
-                : is_second ? first
-                            : fmt::format("{} {}{}{}", first, are_ratios ? "/" : "-", joint, second);
-    const Verdict verdict = verdict_of(comparison);
-    if (const std::optional<EffectEstimate>& amount = comparison.estimate) {
-      row.estimate = factor * amount->value;
-      if (amount->interval) row.low = factor * amount->interval->low, row.high = factor * amount->interval->high;
-    }
-    row.verdict = name_of(verdict);
-    if (is_difference(verdict))
-      row.style = look.lines.at(verdict == Verdict::better ? comparison.first : comparison.second);
-  }
-  if (std::ranges::all_of(comparisons, all_values_equal)) return std::nullopt;
-  if (is_first || is_second)
-    rows.insert(rows.begin(),
-                {.label = fmt::format("{} {} {}", is_first ? look.names.at(comparisons[0].first) : "…",
-                                      are_ratios ? "/" : "-", is_second ? look.names.at(comparisons[0].second) : "…"),
-                 .verdict = is_first ? "the first:" : ""});
+  if (const std::optional<IntervalRow> head = labels.head(pairs)) rows.push_back(*head);
+  for (const Comparison& pair : pairs) rows.push_back(interval_row(pair, unit, labels));
+  const bool are_ratios = pairs.back().scale == EffectScale::ratio;
   const std::string quantity = samples.quantity_kind == QuantityKind::solved ? "share solved" : samples.quantity;
-  const std::string what = are_ratios ? "ratio" : "difference";
-  return differences(
-      {.name = "differences",
-       .caption = fmt::format(
-           "Pairs: {} of {}, with intervals for all pairs at once; at the right the verdict on the first.{}", what,
-           quantity, only),
-       .quantity = fmt::format("{} of {}", what, quantity),
-       .unit = are_ratios               ? ""
-               : is_proportion(samples) ? "points"
-                                        : unit.name},
-      rows, are_ratios);
+  const std::string effect = fmt::format("{} of {}", are_ratios ? "ratio" : "difference", quantity);
+  return differences({.name = "differences",
+                      .caption = fmt::format(
+                          "Pairs: {}, with intervals for all pairs at once; at the right the verdict on the first.{}",
+                          effect, is_only_first ? fmt::format(" Only the pairs of {}.", shown.front()) : ""),
+                      .quantity = effect,
+                      .unit = drawn_name(is_proportion(samples), unit, are_ratios)},
+                     rows, are_ratios);
 }
+
+namespace {
 
 // The same metric on the blocks that all groups have, which mean ranks are of, with the verdicts of all blocks.
 JudgedMetric on_common_blocks(JudgedMetric metric) {
@@ -306,74 +367,116 @@ JudgedMetric on_common_blocks(JudgedMetric metric) {
   std::vector<Group*> groups;
   std::set<std::vector<int>> blocks;
   for (Group& group : samples.groups) {
-    const Sample* const its = sample_of(group);
-    if (its == nullptr || its->values.empty()) continue;
+    const Sample* const sample = sample_of(group);
+    if (sample == nullptr || sample->values.empty()) continue;
     groups.push_back(&group);
-    blocks.insert(its->blocks);
+    blocks.insert(sample->blocks);
   }
   if (blocks.size() < 2) return metric;
   keep_common_blocks(groups);
   std::vector<Comparison> common = compare(samples, metric.plan);
   const ComparisonTable table(metric);
   for (Comparison& comparison : common) {
-    const Comparison* const of_all = table.find(comparison.first_index, comparison.second_index);
-    const auto* const all = of_all ? std::get_if<TestResult>(&of_all->result) : nullptr;
-    if (auto* const tested = std::get_if<TestResult>(&comparison.result); tested && all) tested->verdict = all->verdict;
+    const Comparison* const whole = table.find(comparison.first_index, comparison.second_index);
+    const auto* const whole_test = whole ? std::get_if<TestResult>(&whole->result) : nullptr;
+    auto* const test = std::get_if<TestResult>(&comparison.result);
+    if (test && whole_test) test->verdict = whole_test->verdict;
   }
   metric.comparisons = std::move(common);
   return metric;
 }
 
-std::optional<Figure> ranks_of(const JudgedMetric& judged, const std::vector<std::string>& shown, const Look& look) {
-  const JudgedMetric metric = on_common_blocks(judged);
-  const MetricSamples& samples = metric.samples;
-  const bool are_shares = is_proportion(samples);
-  if (metric.plan.test == results::AnalysisPlan::Test::means && !are_shares) return std::nullopt;
-  struct Pair {
-    const Comparison* finding;
-    double behind;  // the share of comparisons in which the second is better, equal ones half
-  };
-  std::map<std::pair<std::string_view, std::string_view>, Pair> pairs;  // that have such a share, in either order
-  for (const Comparison& each : metric.comparisons) {
-    const auto* const fact = std::get_if<DeterministicResult>(&each.result);
-    const auto* const tested = std::get_if<TestResult>(&each.result);
-    if (!fact && !(tested && tested->dominance)) continue;
-    const double larger = fact ? each.estimate->value - null_value(each.scale) : 0;
-    const double of_fact = larger == 0 ? 0.5 : (larger > 0) == (samples.better == Better::larger) ? 1 : 0;
-    const double ahead = tested ? tested->dominance->a12() : of_fact;
-    pairs[{each.first, each.second}] = {&each, 1 - ahead}, pairs[{each.second, each.first}] = {&each, ahead};
+// A pair of which it is known how often the second solver is better.
+struct RankedPair {
+  const Comparison* comparison;
+  double behind;  // the share of comparisons in which the second is better, equal ones half
+};
+using RankedPairs = std::map<std::pair<std::string_view, std::string_view>, RankedPair>;  // in either order
+
+// Returns the share of comparisons in which the first solver is better, equal ones half; nullopt if it is not known.
+std::optional<double> share_ahead(const Comparison& comparison, Better better) {
+  if (const auto* const tested = std::get_if<TestResult>(&comparison.result))
+    return tested->dominance ? std::optional(tested->dominance->a12()) : std::nullopt;
+  if (!std::holds_alternative<DeterministicResult>(comparison.result)) return std::nullopt;
+  const double excess = comparison.estimate->value - null_value(comparison.scale);
+  if (excess == 0) return 0.5;
+  return (excess > 0) == (better == Better::larger) ? 1 : 0;
+}
+
+RankedPairs ranked_pairs(const JudgedMetric& metric) {
+  RankedPairs pairs;
+  for (const Comparison& comparison : metric.comparisons) {
+    const std::optional<double> ahead = share_ahead(comparison, metric.samples.better);
+    if (!ahead) continue;
+    pairs[{comparison.first, comparison.second}] = {&comparison, 1 - *ahead};
+    pairs[{comparison.second, comparison.first}] = {&comparison, *ahead};
   }
-  const auto is_known = [&](const std::string& name, const std::vector<std::string>& others) {
-    return std::ranges::all_of(others, [&](const auto& each) { return pairs.contains({name, each}); });
-  };
+  return pairs;
+}
+
+// The solvers of a figure of ranks: each has a known pair with each other one.
+struct RankedSolvers {
   std::vector<std::string> solvers, without;
+};
+
+RankedSolvers ranked_solvers(const RankedPairs& pairs, const std::vector<std::string>& shown) {
+  const auto is_known = [&](const std::string& name, const std::vector<std::string>& others) {
+    return std::ranges::all_of(others, [&](const std::string& other) { return pairs.contains({name, other}); });
+  };
+  RankedSolvers ranked;
   for (const std::string& name : shown) {
-    const auto has_share = [&](const auto& each) { return is_known(name, {each}); };
-    (std::ranges::any_of(shown, has_share) && is_known(name, solvers) ? solvers : without).push_back(name);
+    const auto has_share = [&](const std::string& other) { return pairs.contains({name, other}); };
+    const bool is_ranked = std::ranges::any_of(shown, has_share) && is_known(name, ranked.solvers);
+    (is_ranked ? ranked.solvers : ranked.without).push_back(name);
   }
-  if (solvers.size() < 3) return std::nullopt;
-  bool have_all = samples.is_paired;  // the same blocks
-  std::size_t n = 0;
-  std::vector<RankRow> rows;
+  return ranked;
+}
+
+// The rows of a figure of ranks, and the blocks that all pairs have in common.
+struct RankRows {
+  std::vector<RankRow> rows = {};
+  bool have_all_blocks = false;
+  std::size_t n = 0;  // blocks, if all pairs have them
+};
+
+RankRows rank_rows(const MetricSamples& samples, const RankedPairs& pairs, const std::vector<std::string>& solvers,
+                   const Look& look) {
+  RankRows ranked{.have_all_blocks = samples.is_paired};
   for (const std::string& name : solvers) {
-    n = values_of(samples.groups[index_of(samples, name)]).size();
-    RankRow& row = rows.emplace_back(RankRow{.label = look.names.at(name), .style = look.lines.at(name), .place = 1});
+    ranked.n = values_of(samples.groups[index_of(samples, name)]).size();
+    RankRow row{.label = look.names.at(name), .style = look.lines.at(name), .place = 1};
     for (const std::string& other : solvers) {
       if (other == name) continue;
       const auto& [comparison, behind] = pairs.at({name, other});
       row.place += behind;
       if (is_difference(verdict_of(*comparison))) row.apart.push_back(look.names.at(other));
       const auto* const tested = std::get_if<TestResult>(&comparison->result);
-      have_all &= tested && static_cast<std::size_t>(tested->n) == n;
+      ranked.have_all_blocks &= tested && static_cast<std::size_t>(tested->n) == ranked.n;
     }
+    ranked.rows.push_back(std::move(row));
   }
-  std::ranges::stable_sort(rows, {}, &RankRow::place);
+  std::ranges::stable_sort(ranked.rows, {}, &RankRow::place);
+  return ranked;
+}
+
+}  // namespace
+
+std::optional<Figure> ranks_of(const JudgedMetric& judged, const std::vector<std::string>& shown, const Look& look) {
+  const JudgedMetric metric = on_common_blocks(judged);
+  const MetricSamples& samples = metric.samples;
+  const bool are_shares = is_proportion(samples);
+  if (metric.plan.test == results::AnalysisPlan::Test::means && !are_shares) return std::nullopt;
+  const RankedPairs pairs = ranked_pairs(metric);
+  const auto [solvers, without] = ranked_solvers(pairs, shown);
+  if (solvers.size() < 3) return std::nullopt;
+  const auto [rows, have_all_blocks, n] = rank_rows(samples, pairs, solvers, look);
   About about{.name = "ranks", .quantity = "mean rank of " + samples.quantity};
   about.caption = fmt::format(
       "Mean ranks of {} {}, 1 is best; bars join pairs that no adjusted p < {} tells apart.", samples.quantity,
-      have_all ? fmt::format("in {} blocks", n) : "expected of one value of each (1 plus the others' A12)",
+      have_all_blocks ? fmt::format("in {} blocks", n) : "expected of one value of each (1 plus the others' A12)",
       metric.plan.significance);
-  const bool has_ruler = have_all && !are_shares && metric.plan.significance == 0.05;  // shares are nearly all tied
+  // Shares are nearly all tied, which the critical difference does not allow for.
+  const bool has_ruler = have_all_blocks && !are_shares && metric.plan.significance == 0.05;
   const double ruler = has_ruler ? critical_difference(solvers.size(), n) : nowhere;
   if (ruler > 0)
     about.caption += fmt::format(" CD: Nemenyi's critical difference, {:.3g} (p < 0.05); no bar goes by it.", ruler);
@@ -394,15 +497,17 @@ Figure path_of(const StudyResults& study, const Look& look, std::size_t arms, co
     const SolveRecord& solve = solves[i];
     rows.targets.push_back(corner_of(solve.target_position_m));
     rows.reached.push_back(corner_of(solve.reached_position_m));
-    if (const SolveSummary& its = study.of(solver)[i]; its.missed_deadline || its.exceeds_velocity)
-      rows.late_or_too_fast.push_back(rows.targets.back());
+    const SolveSummary& summary = study.of(solver)[i];
+    if (summary.missed_deadline || summary.exceeds_velocity) rows.late_or_too_fast.push_back(rows.targets.back());
     const Eigen::Map<const Eigen::VectorXd> q(solve.answer_rad.data(),
                                               static_cast<Eigen::Index>(solve.answer_rad.size()));
     if (i % every != 0 || !arm || q.size() != arm->joints() || !q.allFinite()) continue;
     rows.arms.emplace_back(fmt::format("arm at point {}", solve.point), corners_of(*arm, q));
   }
-  if (study.definition.path == "circle" && std::ssize(solves) == study.definition.points)
-    rows.targets.push_back(rows.targets.front()), rows.reached.push_back(rows.reached.front());
+  if (study.definition.path == "circle" && std::ssize(solves) == study.definition.points) {  // closed
+    rows.targets.push_back(rows.targets.front());
+    rows.reached.push_back(rows.reached.front());
+  }
   return path({"", fmt::format("Targets, and what {} reached in its first run{}", solver, more)}, rows);
 }
 

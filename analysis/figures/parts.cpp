@@ -61,6 +61,9 @@ std::string ticks_between(char letter, double low, double high, bool is_power) {
   const double decades = std::log10(high) - std::log10(low);
   const int every = 1 + static_cast<int>((decades - 1) / 4);
   const bool is_tight = letter == 'x' && decades > 1.2;
+  const auto is_labelled = [&](int multiple) {
+    return is_tight ? multiple == 3 && !is_power : multiple == 2 || multiple == 5;
+  };
   std::vector<std::string> ticks;
   if (decades < 0.7) {
     const double step = round_step_of(high - low, 5);
@@ -73,9 +76,7 @@ std::string ticks_between(char letter, double low, double high, bool is_power) {
       const double at = multiple * std::pow(10, decade);
       if (at > high * (1 + 1e-9)) break;
       if (at < low * (1 - 1e-9) || (multiple > 1 && every > 1)) continue;
-      const bool has_label =
-          decade % every == 0 && (multiple == 1 || (decades <= 2.2 && (is_tight ? multiple == 3 && !is_power
-                                                                                : multiple == 2 || multiple == 5)));
+      const bool has_label = decade % every == 0 && (multiple == 1 || (decades <= 2.2 && is_labelled(multiple)));
       const std::string label = has_label ? tick(at, is_power) : "";
       if (has_label || every == 1) ticks.push_back(fmt::format("'{}' {}{}", label, text_of(at), has_label ? "" : " 1"));
     }
@@ -83,6 +84,15 @@ std::string ticks_between(char letter, double low, double high, bool is_power) {
   }
   return fmt::format("set {}tics ({})\n", letter, fmt::join(ticks, ", "));
 }
+
+// Returns the room between the values and the ends of a linear axis. Equal values have a tenth of their size.
+double room_beside(double smallest, double largest) {
+  if (largest > smallest) return 0.06 * (largest - smallest);
+  return smallest == 0 ? 1 : 0.1 * std::abs(smallest);
+}
+
+// Returns where values up to the floor stand: at the floor, or below the decade of the smallest value above it.
+double edge_below(double start, double floor) { return floor >= start ? floor : start / 10; }
 
 // The same in every figure with two axes.
 void add_margins(Figure& figure) {
@@ -136,7 +146,12 @@ double width_cm_of(std::string_view label) {
     const auto byte = static_cast<unsigned char>(c);
     if ((byte & 0xC0) == 0x80) continue;  // not the first of a character
     const bool is_wide = wide.find(c) != std::string_view::npos || byte >= 0xE3;
-    cm += narrow.find(c) != std::string_view::npos ? 0.09 : is_wide ? 0.24 : c >= 'A' && c <= 'Z' ? 0.2 : 0.16;
+    if (narrow.find(c) != std::string_view::npos)
+      cm += 0.09;
+    else if (is_wide)
+      cm += 0.24;
+    else
+      cm += c >= 'A' && c <= 'Z' ? 0.2 : 0.16;
   }
   return cm;
 }
@@ -148,16 +163,18 @@ double Axis::share_of(double value) const {
 
 Axis linear_axis(char letter, std::span<const double> values, const std::string& title, Begins begins) {
   const std::vector<double> drawn = drawable(values);
-  const double least = drawn.empty() ? 0 : std::ranges::min(drawn), most = drawn.empty() ? 1 : std::ranges::max(drawn),
-               size = std::max(std::abs(least), std::abs(most));
-  // Below this span all labels are the same, and a step may be none.
-  const double largest = most - least > 1e-6 * size ? most : least, span = largest - least,
-               room = span > 0   ? 0.06 * span
-                      : size > 0 ? 0.1 * std::abs(least)
-                                 : 1;
-  const bool is_first = begins == Begins::at_first && span > 0;
-  Axis axis{.settings = "", .low = is_first ? least : least - room, .high = is_first ? largest : largest + room};
-  if (begins == Begins::at_zero) axis.low = std::min(0.0, 1.05 * least), axis.high = largest > 0 ? 1.05 * largest : 1;
+  const double smallest = drawn.empty() ? 0 : std::ranges::min(drawn);
+  const double most = drawn.empty() ? 1 : std::ranges::max(drawn);
+  const double size = std::max(std::abs(smallest), std::abs(most));
+  // Values of a smaller span count as equal: their labels would be the same, and a step between them may be 0.
+  const double largest = most - smallest > 1e-6 * size ? most : smallest;
+  const bool is_first = begins == Begins::at_first && largest > smallest;
+  const double room = is_first ? 0 : room_beside(smallest, largest);
+  Axis axis{.settings = "", .low = smallest - room, .high = largest + room};
+  if (begins == Begins::at_zero) {
+    axis.low = std::min(0.0, 1.05 * smallest);
+    axis.high = largest > 0 ? 1.05 * largest : 1;
+  }
   const double step = std::max(round_step_of(axis.high - axis.low, 5), is_first ? 1.0 : 0.0);  // whole points
   double ticks_cm = 0;
   for (double i = std::ceil(axis.low / step); i * step <= axis.high; ++i)
@@ -166,7 +183,7 @@ Axis linear_axis(char letter, std::span<const double> values, const std::string&
       letter == 'x' ? fmt::format("set xtics {} * (plot_cm < {} ? 2 : 1)\n", text_of(step), text_of(ticks_cm)) : "";
   axis.settings = fmt::format("set {0}range [{1}:{2}]\n{3}{4}{5}", letter, text_of(axis.low), text_of(axis.high), ticks,
                               titled(letter, title), placed(letter, axis.low, axis.high));
-  if (is_first) axis.settings += fmt::format("set {}tics add ({})\n", letter, text_of(least));
+  if (is_first) axis.settings += fmt::format("set {}tics add ({})\n", letter, text_of(smallest));
   return axis;
 }
 
@@ -188,13 +205,11 @@ Axis value_axis(char letter, std::span<const double> values, const About& about,
       std::ranges::max(drawn) <= spread_of_logarithmic * std::ranges::min(above))
     return linear_axis(letter, values, title, begins);
   const bool has_edge = above.size() < drawn.size();
-  const double start = std::pow(10, std::floor(std::log10(std::ranges::min(above)) + 1e-9)),
-               most = std::ranges::max(above),
-               high = std::min(1.3 * most, std::pow(10, std::ceil(std::log10(most) - 1e-9))),
-               edge = !has_edge              ? start
-                      : about.floor >= start ? about.floor
-                                             : start / 10,
-               low = has_edge ? edge * std::pow(edge / high, 0.03) : edge;  // what is at the edge stands off the axis
+  const double start = std::pow(10, std::floor(std::log10(std::ranges::min(above)) + 1e-9));
+  const double most = std::ranges::max(above);
+  const double high = std::min(1.3 * most, std::pow(10, std::ceil(std::log10(most) - 1e-9)));
+  const double edge = has_edge ? edge_below(start, about.floor) : start;
+  const double low = has_edge ? edge * std::pow(edge / high, 0.03) : edge;  // marks at the edge stand off the axis
   const bool is_power = are_powers(has_edge && about.floor > 0 ? about.floor : start, high);
   std::string settings = logarithmic(letter, low, high) +
                          ticks_between(letter, has_edge ? std::max(start, 1.01 * edge) : start, high, is_power);
@@ -257,10 +272,10 @@ void add_names(Figure& figure, std::vector<Named> marks) {
     const auto& [label, style, y, x] = marks[i];
     const double height =
         std::clamp((at[i] + up[i]) / 2, row * static_cast<double>(n - 1 - i), 1 - row * static_cast<double>(i));
-    const std::string at_name =
-        is_below ? fmt::format("screen {}, screen up({})", i % columns == 0 ? 0.05 : 0.53,
-                               text_of(0.35 * static_cast<double>(figure.legend - i / columns)))
-                 : fmt::format("screen 1 - margin({}), graph {}", text_of(widest_cm + 0.3), text_of(height));
+    std::string at_name = fmt::format("screen 1 - margin({}), graph {}", text_of(widest_cm + 0.3), text_of(height));
+    if (is_below)
+      at_name = fmt::format("screen {}, screen up({})", i % columns == 0 ? 0.05 : 0.53,
+                            text_of(0.35 * static_cast<double>(figure.legend - i / columns)));
     // The marker has a label of its own, since SVG raises the text of one with a point.
     figure.settings += fmt::format(
         "set label {} at {} left offset 1, 0 noenhanced tc rgb ink\nset label '' at {} point {}\n", gnuplot_text(label),

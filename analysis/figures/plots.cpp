@@ -99,6 +99,50 @@ constexpr const char* joint_panels =
     "with points pt 6 ps 0.6 lw 0.8 lc rgb ink\n"
     "  }}\n}}\nunset multiplot";
 
+// Returns gnuplot's word for the heads of an interval's line. An end without a place is beyond the axis and has a head.
+const char* arrow_heads(bool has_low, bool has_high) {
+  if (has_low) return has_high ? "nohead" : "head";
+  return has_high ? "backhead" : "heads";
+}
+
+// Returns the step of the ticks of angles [deg].
+double angle_step(double span) {
+  if (span >= 270) return 180;
+  if (span >= 135) return 90;
+  if (span >= 60) return 30;
+  return round_step_of(std::max(span, 1.0), 3);
+}
+
+// Sets the axes of a plot in space: a cube around the corners, seen from the front, above and the left. The key of a
+// splot begins at the top.
+void add_cube(Figure& figure, const Corner& low, const Corner& high) {
+  const double side = std::max(0.1, 1.1 * (high - low).maxCoeff());
+  figure.settings +=
+      "set view equal xyz\nset view 65, 30, 1.3\n"
+      "room = (1 - 2 * margin(1.35)) / 0.72\nroom = room < 1 ? room : 1\n"  // beside which the title of z stands
+      "set origin (1 - room) / 2, up(legend_rows_cm + 0.2)\nset size room, 1 - up(legend_rows_cm + 0.2)\n"
+      "set key at screen 0.5, screen up(legend_rows_cm + 0.1) top center\n"
+      "set border 895 lw 0.5 lc rgb '#AAAAAA'\nset grid x y z vertical\n"
+      "set xtics offset 0, 0\nset ztics offset 1.2, 0\n";
+  const Corner middle = (low + high) / 2;
+  const double step = round_step_of(side, 5);
+  for (const int axis : {0, 1, 2})
+    figure.settings += fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3} textcolor rgb ink\n", "xyz"[axis],
+                                   text_of(middle[axis] - side / 2), text_of(middle[axis] + side / 2), text_of(step));
+  // Titles stand beside the middles of their axes. Those of gnuplot keep their distance from the place of the plot,
+  // which the cube does not fill.
+  const auto title = [&](char axis, std::array<double, 3> ends, std::string_view place) {
+    std::string at;
+    for (const int i : {0, 1, 2})
+      at += (i > 0 ? ", " : "") + text_of(middle[i] + ends[static_cast<std::size_t>(i)] * side / 2);
+    figure.settings += fmt::format("set label '{} [cm]' at {} {} tc rgb ink\n", axis, at, place);
+  };
+  title('x', {0, -1, -1}, "center offset -2.2, -2");
+  title('y', {1, 0, -1}, "left offset 3.5, -1.3");
+  title('z', {-1, -1, 0}, "center rotate offset -5.8, 0");
+  figure.settings += fmt::format("set xyplane at {}\n", text_of(middle[2] - side / 2));
+}
+
 // Lines of a data file, beside a row: value and height.
 std::string scattered(const BoxRow& row, double y) {
   std::vector<double> sorted = row.values;
@@ -276,7 +320,10 @@ std::optional<Figure> ranks(const About& about, const std::vector<RankRow>& all_
   const auto rows = drawn_of(all_rows, 20, figure);
   std::vector<std::string> labels, clauses;
   std::vector<double> places;
-  for (const RankRow& row : rows) labels.push_back(row.label), places.push_back(row.place);
+  for (const RankRow& row : rows) {
+    labels.push_back(row.label);
+    places.push_back(row.place);
+  }
   const std::vector<std::uint32_t> bars = sets_of_alike(rows);
   figure.data = fmt::format("# row, {}, and of each bar whether it joins it\n", about.axis());
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -327,8 +374,7 @@ std::optional<Figure> differences(const About& about, const std::vector<Interval
     std::ranges::copy_if(std::array{row.estimate, row.low, row.high}, std::back_inserter(all), has_place);
     if (has_place(row.estimate) && !has_place(row.low) && are_ratios)
       all.push_back(row.estimate / 1.5);  // for the head
-    const char* const heads = has_place(row.low) ? (has_place(row.high) ? "nohead" : "head")
-                                                 : (has_place(row.high) ? "backhead" : "heads");  // beyond the axis
+    const char* const heads = arrow_heads(has_place(row.low), has_place(row.high));
     figure.data += fmt::format("# {}\n{}", one_line(row.label),
                                data_row({static_cast<double>(i + 1), row.estimate, row.low, row.high}));
     const std::string line = fmt::format("data every ::{0}::{0} using", i), colour = colour_of(row.style);
@@ -390,32 +436,7 @@ Figure path(const About& about, const PathRows& rows) {
         fmt::format("{} using 1:2:3 with points pt 2 ps 0.9 lw 1.2 lc rgb '#D62728'", 1 + rows.arms.size()));
   }
   add_legend(figure, clauses.size());
-  // A cube, seen from the front, above and the left. A key of splot begins at the top.
-  const double side = std::max(0.1, 1.1 * (high - low).maxCoeff());
-  figure.settings +=
-      "set view equal xyz\nset view 65, 30, 1.3\n"
-      "room = (1 - 2 * margin(1.35)) / 0.72\nroom = room < 1 ? room : 1\n"  // beside which the title of z stands
-      "set origin (1 - room) / 2, up(legend_rows_cm + 0.2)\nset size room, 1 - up(legend_rows_cm + 0.2)\n"
-      "set key at screen 0.5, screen up(legend_rows_cm + 0.1) top center\n"
-      "set border 895 lw 0.5 lc rgb '#AAAAAA'\nset grid x y z vertical\n"
-      "set xtics offset 0, 0\nset ztics offset 1.2, 0\n";
-  const Corner middle = (low + high) / 2;
-  const double step = round_step_of(side, 5);
-  for (const int axis : {0, 1, 2})
-    figure.settings += fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3} textcolor rgb ink\n", "xyz"[axis],
-                                   text_of(middle[axis] - side / 2), text_of(middle[axis] + side / 2), text_of(step));
-  // Titles stand beside the middles of their axes. Those of gnuplot keep their distance from the place of the plot,
-  // which the cube does not fill.
-  const auto title = [&](char axis, std::array<double, 3> ends, std::string_view place) {
-    std::string at;
-    for (const int i : {0, 1, 2})
-      at += (i > 0 ? ", " : "") + text_of(middle[i] + ends[static_cast<std::size_t>(i)] * side / 2);
-    figure.settings += fmt::format("set label '{} [cm]' at {} {} tc rgb ink\n", axis, at, place);
-  };
-  title('x', {0, -1, -1}, "center offset -2.2, -2");
-  title('y', {1, 0, -1}, "left offset 3.5, -1.3");
-  title('z', {-1, -1, 0}, "center rotate offset -5.8, 0");
-  figure.settings += fmt::format("set xyplane at {}\n", text_of(middle[2] - side / 2));
+  add_cube(figure, low, high);
   figure.plot = fmt::format("splot {}", fmt::join(clauses, ", \\\n  "));
   return figure;
 }
@@ -457,13 +478,12 @@ std::optional<Figure> joints(const About& about, const JointRows& all_rows) {
   const double panel_cm = drawn <= 2 ? 2.6 : 1.2, gap_cm = drawn == 1 ? 0 : 0.5;
   figure.height_cm = 1.6 + static_cast<double>(drawn) * (panel_cm + gap_cm);
   const double span = std::ranges::max(all) - std::ranges::min(all);
-  const double step = span >= 270 ? 180 : span >= 135 ? 90 : span >= 60 ? 30 : round_step_of(std::max(span, 1.0), 3);
   figure.settings += title_of('x', "point") + title_of('y', "angle [deg]") +
                      linear_axis('y', all, "", Begins::around).settings +
                      fmt::format(
                          "set xrange [0:{0}]\nset xtics (1, {1})\nset ytics {2}\nset tics scale 0.4\n"
                          "set samples 2\nunset key\n",
-                         points + 1, points, text_of(step));
+                         points + 1, points, text_of(angle_step(span)));
   figure.plot = fmt::format(joint_panels, drawn, columns.size(), text_of(gap_cm), drawn == 1 ? 0.7 : 1.9,
                             points < 1000 ? "0.25" : "0.5");
   return figure;
@@ -497,7 +517,10 @@ std::optional<Figure> overview(const About& about, const std::string& x_axis, co
       fmt::format("data using (place_x($1)):(place_y($2)):(place_x($3)-place_x($1)):(place_y($4)-place_y($2)) "
                   "with vectors nohead lw 0.6 {}",
                   grey));
-  for (Named& each : names) each.x = x.share_of(each.x), each.y = y.share_of(each.y);
+  for (Named& name : names) {
+    name.x = x.share_of(name.x);
+    name.y = y.share_of(name.y);
+  }
   add_names(figure, names);
   figure.plot = plotted(clauses);
   return figure;
