@@ -22,6 +22,16 @@ std::vector<JudgedClaim> grouped(std::vector<JudgedClaim> claims, bool are_ours)
 
 bool is_counted(const JudgedClaim& claim) { return claim.in_readings.all() > 0; }
 
+show::Tone tone_of(Holds holds) {
+  if (holds == Holds::holds) return show::Tone::good;
+  return holds == Holds::fails ? show::Tone::bad : show::Tone::neutral;
+}
+
+std::string remark_text(const JudgedClaim& claim) {
+  if (claim.section.empty()) return claim.evidence;
+  return claim.section + (claim.evidence.empty() ? "." : ". ") + claim.evidence;
+}
+
 show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) {
   show::Table table{.name = are_ours ? "questions" : "claims",
                     .caption = are_ours ? "What the paper does not say" : "What the paper says",
@@ -33,13 +43,8 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
     return std::string(std::ranges::any_of(claims, is_counted) ? "not counted" : "");
   };
   for (const JudgedClaim& claim : claims) {
-    const std::string_view between = claim.section.empty() ? "" : claim.evidence.empty() ? "." : ". ";
-    const show::Tone tone = claim.holds == Holds::holds   ? show::Tone::good
-                            : claim.holds == Holds::fails ? show::Tone::bad
-                                                          : show::Tone::neutral;
-    table.rows.push_back({claim.sentence, show::VerdictCell{std::string(name_of(claim.holds)), tone},
-                          show::text_cell(claim.number), in_readings(claim.in_readings),
-                          claim.section + std::string(between) + claim.evidence});
+    table.rows.push_back({claim.sentence, show::VerdictCell{std::string(name_of(claim.holds)), tone_of(claim.holds)},
+                          show::text_cell(claim.number), in_readings(claim.in_readings), remark_text(claim)});
   }
   return table;
 }

@@ -23,7 +23,7 @@ const JudgedClaim* claim_named(const std::vector<JudgedClaim>& claims, std::stri
 show::Blocks beginning(const Paper& paper, const std::vector<std::string>& sentences, const show::Table& table);
 // Grouped by verdict: the claims, then our own questions.
 show::Blocks claims_section(const std::vector<JudgedClaim>& claims);
-// What `reproduce` ends with: some sentences, the printed table beside ours, a line a claim of the paper.
+// Returns the last screen of `reproduce`: sentences, the printed table beside ours, and a line per claim of the paper.
 std::string screen(const std::vector<std::string>& sentences, const show::Table& table,
                    const std::vector<JudgedClaim>& claims);
 

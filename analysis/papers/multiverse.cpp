@@ -41,7 +41,7 @@ InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, c
   for (const std::string& solver : claim.against.empty() ? solvers : claim.against)
     if (!contains(claim.solvers, solver)) rivals.push_back(place_of(solvers, solver));
   if (contains(own, k) || contains(rivals, k)) return {};
-  // Of each pair alone, by Welch's t, at its part of the significance, as a report judges a pair of these solvers.
+  // Each pair is tested by Welch's t at its part of the significance, as a report judges a pair of these solvers.
   const AnalysisPlan of_pair{.test = AnalysisPlan::Test::means,
                              .significance = plan.significance / (static_cast<double>(k * (k - 1)) / 2),
                              .margin = plan.margin};
@@ -62,9 +62,14 @@ InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, c
       for (const std::size_t solver : own)
         for (const std::size_t rival : rivals) tally.add(verdict(parts[solver][seed], parts[rival][seed]));
       const Holds holds = holds_of(tally);
-      ++(holds == Holds::holds ? counts.hold : holds == Holds::fails ? counts.fail : counts.open);
-      if (holds == Holds::fails)
+      if (holds == Holds::holds) {
+        ++counts.hold;
+      } else if (holds == Holds::fails) {
+        ++counts.fail;
         for (const std::string& setting : settings) ++failing[setting];
+      } else {
+        ++counts.open;
+      }
     }
   }
   std::int64_t most = 0;
@@ -147,7 +152,8 @@ SeedCounts counts_by_seed(const Paper& paper, const SolvedMultiverse& multiverse
           if (!ranges[seed]) continue;
           const Interval& range = (*ranges[seed])[s];
           const bool is_in = repeats(ours[seed].*statistics[s].of, range, row.digits[s]);
-          of_row[seed] += is_in, counts.all[seed] += is_in;
+          of_row[seed] += is_in;
+          counts.all[seed] += is_in;
           for (std::size_t other = 0; other < seeds; ++other) {
             const double theirs = ours[other].*statistics[s].of;
             if (other != seed) alike[{seed, other}] += range.low <= theirs && theirs <= range.high;

@@ -18,7 +18,7 @@ namespace ikbench::papers {
 
 constexpr std::array<std::string_view, 2> metrics_of_readings{"position_error_cm", "variation_deg"};
 
-// Of the means of runs; one that is not finite is lost.
+// Returns a group of the means of runs. A mean that is not finite is a missing value.
 judge::Group group_of(std::vector<double> runs);
 
 struct SolvedMultiverse : results::Multiverse {

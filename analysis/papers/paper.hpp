@@ -10,7 +10,7 @@
 
 namespace ikbench::papers {
 
-// What a claim compares of its metrics: the means, or the standard deviations of the runs.
+// The statistic of a metric that a claim compares: the means, or the standard deviations of the runs.
 enum class Of { means, spread };
 // Whose numbers come from the companion that a claim names; those of the rest come from the study.
 enum class From { both, solvers, others };

@@ -75,9 +75,13 @@ std::optional<Ranges> predicted_ranges(const std::vector<double>& values, int ru
     for (int run = 0; run < runs; ++run) {
       const double place = open_uniform(engine) * static_cast<double>(known.size() + 1), u = open_uniform(engine);
       const auto gap = static_cast<std::size_t>(place);
-      const double value = gap == 0              ? known.front() + below * std::log(u)
-                           : gap == known.size() ? known.back() - above * std::log(u)
-                                                 : known[gap - 1] + u * (known[gap] - known[gap - 1]);
+      double value = 0;
+      if (gap == 0)
+        value = known.front() + below * std::log(u);
+      else if (gap == known.size())
+        value = known.back() - above * std::log(u);
+      else
+        value = known[gap - 1] + u * (known[gap] - known[gap - 1]);
       known.insert(known.begin() + static_cast<std::ptrdiff_t>(gap), value);
       study.push_back(std::exp(value));
     }

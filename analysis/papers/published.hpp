@@ -15,7 +15,7 @@ namespace ikbench::papers {
 bool agrees(double ours, std::string_view printed);                      // our number rounds to the printed digits
 bool can_be(const judge::Interval& interval, std::string_view printed);  // a number in it does
 
-// What a table of means may have, by its columns.
+// A statistic that a table of means may have, by its column.
 struct Statistic {
   std::string_view column;
   double judge::Descriptives::*of;
@@ -26,7 +26,7 @@ constexpr std::array<Statistic, 5> statistics{{{"mean", &judge::Descriptives::me
                                                {"max", &judge::Descriptives::largest},
                                                {"min", &judge::Descriptives::smallest}}};
 
-// Of one solver and metric.
+// The printed statistics of one solver and metric.
 struct PrintedRow {
   std::string solver;
   judge::Descriptives numbers = {};
@@ -36,7 +36,7 @@ using PrintedRows = std::vector<PrintedRow>;
 
 const PrintedRow* row_of(const PrintedRows& rows, std::string_view solver);  // null if there is none
 
-// Of a table with the columns algorithm, metric, n and the statistics.
+// Returns the rows of one metric from a table with the columns algorithm, metric, n and the statistics.
 PrintedRows printed_means(std::string_view paper, std::string_view table, std::string_view metric);
 
 // The range of each statistic in most studies of so many runs, by Hill's A(n) (JASA 63 (1968) 677) on the logarithms of

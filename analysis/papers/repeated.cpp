@@ -104,21 +104,30 @@ namespace {
 // Without what computing added: 98.55 of 98.55000000000001, which one decimal would part.
 double rounded(double value) { return std::round(1e10 * value) / 1e10; }
 
-// Of shares of n and of so many printed, in percent or as numbers of those printed.
-Rate rate_of(std::string row, double share, double n, std::string_view digits, double n_printed, double unit,
-             const Repeated& repeated) {
-  const double printed = base::number_from(digits).value();
-  const Interval difference = newcombe_interval({.share = share, .n = n}, {.share = printed / unit, .n = n_printed},
-                                                1 - repeated.paper.rates.level);
+// A share here beside a printed one.
+struct SharePair {
+  std::string row;
+  double share = 0, n = 0;  // here
+  std::string_view digits;  // as printed, in parts of `unit`
+  double n_printed = 0;
+  double unit = 1;  // what a share of 1 is printed as: 100 for percent, or the number of targets
+};
+
+Rate make_rate(SharePair pair, const Repeated& repeated) {
+  const double unit = pair.unit;
+  const double printed = base::number_from(pair.digits).value();
+  const Interval difference =
+      newcombe_interval({.share = pair.share, .n = pair.n}, {.share = printed / unit, .n = pair.n_printed},
+                        1 - repeated.paper.rates.level);
   return {
-      .row = std::move(row),
-      .digits = std::string(digits),
+      .row = std::move(pair.row),
+      .digits = std::string(pair.digits),
       .printed = printed,
-      .ours = unit * share,
+      .ours = unit * pair.share,
       .interval = {std::max(0.0, printed + unit * difference.low), std::min(unit, printed + unit * difference.high)},
       .margin = unit * repeated.study().study.definition.plan.margin,
-      .n = n,
-      .n_printed = n_printed};
+      .n = pair.n,
+      .n_printed = pair.n_printed};
 }
 
 std::vector<RateColumn> columns_of_means(const Repeated& repeated) {
@@ -137,7 +146,13 @@ std::vector<RateColumn> columns_of_means(const Repeated& repeated) {
       const std::string_view digits = table.cell(row, table.column(column.column));
       const double n = table.number(row, "n"), ours = its.mean;
       if (column.metric->kind == MetricKind::success_rate) {  // of so many the number that is not solved
-        of.rates.push_back(rate_of(samples.groups[place].name, 1 - ours, its.n, digits, n, n, repeated));
+        of.rates.push_back(make_rate({.row = samples.groups[place].name,
+                                      .share = 1 - ours,
+                                      .n = static_cast<double>(its.n),
+                                      .digits = digits,
+                                      .n_printed = n,
+                                      .unit = n},
+                                     repeated));
         continue;
       }
       constexpr double margin = 0.1;  // of means that a few hard targets decide
@@ -171,8 +186,13 @@ std::vector<RateColumn> rates_of(const Repeated& repeated, std::string name) {
     const std::size_t column = table.column(title);
     for (std::size_t row = 0; row < table.rows(); ++row) {
       const auto add = [&](double solved, double n) -> Rate& {
-        return of.rates.emplace_back(rate_of(std::string(table.cell(row, 0)), solved / n, n, table.cell(row, column),
-                                             table.number(row, "n"), 100, repeated));
+        return of.rates.emplace_back(make_rate({.row = std::string(table.cell(row, 0)),
+                                                .share = solved / n,
+                                                .n = n,
+                                                .digits = table.cell(row, column),
+                                                .n_printed = table.number(row, "n"),
+                                                .unit = 100},
+                                               repeated));
       };
       const auto is_of_row = [&](std::string_view robot) {
         const auto arm = plan.rows.find(std::string(robot));
@@ -199,8 +219,8 @@ std::vector<RateColumn> rates_of(const Repeated& repeated, std::string name) {
 
 namespace {
 
-// Of columns of means: how many are as printed, which targets not solved are nearly as many, and which
-// numbers are not as printed.
+// Returns sentences about columns of means: how many numbers are as printed, for which solvers nearly as many targets
+// are not solved, and which numbers are not as printed.
 std::vector<std::string> means_sentences(const std::vector<RateColumn>& columns) {
   std::int64_t all = 0, repeat = 0, open = 0;
   std::vector<std::string> same, others;
@@ -209,7 +229,9 @@ std::vector<std::string> means_sentences(const std::vector<RateColumn>& columns)
   for (const auto& [name, rates] : columns) {
     for (const Rate& rate : rates) {
       const std::string ours = show::number_text(rate.ours);
-      ++all, repeat += rate.sign() == "~", open += rate.sign() == "?";
+      ++all;
+      repeat += rate.sign() == "~";
+      open += rate.sign() == "?";
       if (rate.sign() == "x")
         others.push_back(fmt::format("{} of {} {} (printed {})", name, rate.row, ours, rate.digits));
       if (rate.n != rate.n_printed) continue;
@@ -244,12 +266,14 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
       std::int64_t repeat = 0, open = 0;
       double least = 1e9, most = 0;  // times
       for (const Rate& rate : column.rates) {
-        repeat += rate.sign() == "~", open += rate.sign() == "?";
+        repeat += rate.sign() == "~";
+        open += rate.sign() == "?";
         if (rate.sign() == "x")  // "Jaco2 31 % (printed 26.23)"
           others.push_back(fmt::format("{} {:.1f} % (printed {})", rate.row, rounded(rate.ours), rate.digits));
         if (rate.printed_ms.empty()) continue;
         const double ratio = rate.mean_ms / base::number_from(rate.printed_ms).value();
-        least = std::min(least, ratio), most = std::max(most, ratio);
+        least = std::min(least, ratio);
+        most = std::max(most, ratio);
       }
       if (open == std::ssize(column.rates))
         undecided.push_back(column.name);
@@ -274,11 +298,9 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
 show::Table rates_table(const Repeated& repeated, const std::string& name) {
   const Rates& plan = repeated.paper.rates;
   const bool is_of_arms = plan.is_of_arms(), is_first = name.empty();
-  show::Table table{.name = !is_of_arms ? "numbers"
-                            : is_first  ? plan.tables.begin()->first
-                                        : name,
-                    .columns = {{is_of_arms ? "arm" : "solver"}},
-                    .is_of_study = !is_of_arms};
+  std::string table_name = "numbers";
+  if (is_of_arms) table_name = is_first ? plan.tables.begin()->first : name;
+  show::Table table{.name = table_name, .columns = {{is_of_arms ? "arm" : "solver"}}, .is_of_study = !is_of_arms};
   table.caption = fmt::format("{} {}{}, here and as printed{}", is_of_arms ? "Solved of" : "Means of",
                               base::counted(repeated.study().study.definition.runs, "targets"),
                               is_of_arms ? " an arm" : "", is_of_arms ? " by " + plan.tables.at(table.name) : "");
@@ -320,6 +342,15 @@ show::Table rates_table(const Repeated& repeated, const std::string& name) {
   return table;
 }
 
+namespace {
+
+std::string verdict_text(const Rate& rate) {
+  if (rate.sign() == "x") return "not as printed";
+  return rate.sign() == "~" ? "as printed" : "not decided";
+}
+
+}  // namespace
+
 std::optional<figures::Figure> rates_figure(const Repeated& repeated) {
   const Rates& plan = repeated.paper.rates;
   std::vector<figures::IntervalRow> rows;
@@ -331,9 +362,7 @@ std::optional<figures::Figure> rates_figure(const Repeated& repeated) {
                       .estimate = rate.ours - rate.printed,
                       .low = rate.interval.low - rate.printed,
                       .high = rate.interval.high - rate.printed,
-                      .verdict = rate.sign() == "x"   ? "not as printed"
-                                 : rate.sign() == "~" ? "as printed"
-                                                      : "not decided",
+                      .verdict = verdict_text(rate),
                       .style = rate.sign() == "x" ? 1 : 0});
   }
   const std::string what = plan.is_of_arms() || columns.empty() ? "Share solved" : "Targets " + columns[0].name;

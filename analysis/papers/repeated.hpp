@@ -31,11 +31,11 @@ struct Repeated {
   std::vector<Repeated> readings() const;
   // "20 agents (Sec. 5.3.2)"; empty if the paper's table is of one study.
   std::string reading() const;
-  // What its name adds to the paper's, for names of tables and figures: "-50".
+  // Returns the part of the study's name behind the paper's, for names of tables and figures: "-50".
   std::string suffix() const { return study().study.name.substr(paper.name.size()); }
 };
 
-// Of its table of means.
+// Returns the rows of the paper's table of means for this metric.
 PrintedRows printed_rows(const Paper& paper, const judge::JudgedMetric& judged);
 // Ours beside the printed digits, if there are any.
 show::Cell beside(double ours, std::string_view printed);

@@ -118,6 +118,11 @@ Names same_there(const Claim& claim, const Repeated& repeated) {
   return same;
 }
 
+Verdict verdict_of_difference(const Interval& difference) {
+  if (difference.low > 0) return Verdict::better;
+  return difference.high < 0 ? Verdict::worse : Verdict::inconclusive;
+}
+
 // A larger share on each arm than the best of the rivals, by the interval of the difference: programs have other poses.
 JudgedClaims solves_most(const Claim& claim, const Repeated& repeated) {
   JudgedClaim result{claim};
@@ -133,7 +138,7 @@ JudgedClaims solves_most(const Claim& claim, const Repeated& repeated) {
     const Interval difference =
         newcombe_interval({.share = rate.ours / 100, .n = rate.n}, {.share = best->ours / 100, .n = best->n},
                           repeated.study().study.definition.plan.significance);
-    tally.add(difference.low > 0 ? Verdict::better : difference.high < 0 ? Verdict::worse : Verdict::inconclusive);
+    tally.add(verdict_of_difference(difference));
   }
   if (tally.all() == 0) return {};
   result.holds = holds_of(tally);
@@ -170,6 +175,13 @@ JudgedClaims better(const Claim& claim, const Repeated& repeated) {
   return {result};
 }
 
+// A solver is ahead of another if it is worse in no metric and better in some.
+Verdict verdict_of_metrics(const Tally& metrics) {
+  if (metrics.worse > 0) return Verdict::worse;
+  if (metrics.better > 0) return Verdict::better;
+  return metrics.untested == metrics.all() ? Verdict::not_tested : Verdict::inconclusive;
+}
+
 JudgedClaims ahead(const Claim& claim, const Repeated& repeated) {
   const std::string& solver = claim.solvers.front();
   std::vector<JudgedMetric> here;
@@ -181,13 +193,10 @@ JudgedClaims ahead(const Claim& claim, const Repeated& repeated) {
     here.push_back(std::move(*ours));
   }
   Tally tally;
-  for (const std::string& rival : rivals_of(here.front(), {solver})) {  // worse in some metric, or else better in some
+  for (const std::string& rival : rivals_of(here.front(), {solver})) {
     Tally of_metrics;
     for (const JudgedMetric& judged : here) of_metrics.add(verdict_between(judged, solver, rival));
-    tally.add(of_metrics.worse > 0                      ? Verdict::worse
-              : of_metrics.better > 0                   ? Verdict::better
-              : of_metrics.untested == of_metrics.all() ? Verdict::not_tested
-                                                        : Verdict::inconclusive);
+    tally.add(verdict_of_metrics(of_metrics));
   }
   JudgedClaim result{claim};
   result.holds = holds_of(tally);
@@ -202,7 +211,10 @@ JudgedClaims differ(const Claim& claim, const Repeated& repeated) {
     const std::optional<JudgedMetric> ours = judged_here(claim, repeated, *metric);
     if (!ours) return {};
     const auto all = anova(ours->samples);
-    here.push_back(all.empty() ? Holds::not_tested : all[0].p < significance ? Holds::holds : Holds::undecided);
+    if (all.empty())
+      here.push_back(Holds::not_tested);
+    else
+      here.push_back(all[0].p < significance ? Holds::holds : Holds::undecided);
   }
   JudgedClaim result{claim};
   result.holds = holds_of(here);
@@ -225,11 +237,19 @@ JudgedClaims at_rounding(const Claim& claim, const Repeated& repeated) {
   for (const SolveSummary& solve : judged->study.of(solver)) errors.push_back(solve.position_error_cm);
   const double most = 10 * std::numeric_limits<double>::epsilon() * farthest_cm;
   const double largest = *std::ranges::max_element(errors), mean = summarise(errors).mean;
-  result.holds = largest <= most ? Holds::holds : mean <= most ? Holds::in_part : Holds::fails;
+  if (largest <= most)
+    result.holds = Holds::holds;
+  else
+    result.holds = mean <= most ? Holds::in_part : Holds::fails;
   result.number = fmt::format("mean {} cm", number_text(mean));
   result.evidence = fmt::format("The largest is {} cm; ten times the spacing of doubles is {} cm there.",
                                 number_text(largest), number_text(most));
   return {result};
+}
+
+Holds repeats_printed(const Rate& rate) {
+  if (rate.sign() == "x") return Holds::fails;
+  return rate.sign() == "~" ? Holds::holds : Holds::undecided;
 }
 
 // A claim of each solver, over all arms, or of each printed column.
@@ -239,8 +259,7 @@ JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
   for (const auto& [name, rates] : rates_of(repeated)) {
     if (rates.empty()) continue;
     std::vector<Holds> repeats;
-    for (const Rate& rate : rates)
-      repeats.push_back(rate.sign() == "x" ? Holds::fails : rate.sign() == "~" ? Holds::holds : Holds::undecided);
+    for (const Rate& rate : rates) repeats.push_back(repeats_printed(rate));
     JudgedClaim& result = judged.emplace_back(JudgedClaim{claim});
     result.id = fmt::format("{}-{}", claim.id, name);
     result.sentence = fmt::format(fmt::runtime(claim.sentence), fmt::arg("solver", name));
@@ -270,10 +289,21 @@ std::string_view name_of(Holds holds) {
 std::span<const Rule> rules() { return all_rules; }
 
 void Tally::add(Verdict verdict) {
-  ++(verdict == Verdict::better       ? better
-     : verdict == Verdict::worse      ? worse
-     : verdict == Verdict::not_tested ? untested
-                                      : open);
+  switch (verdict) {
+    case Verdict::better:
+      ++better;
+      break;
+    case Verdict::worse:
+      ++worse;
+      break;
+    case Verdict::not_tested:
+      ++untested;
+      break;
+    case Verdict::equivalent:
+    case Verdict::inconclusive:
+      ++open;
+      break;
+  }
 }
 
 Holds holds_of(const Tally& tally) {

@@ -35,7 +35,7 @@ struct JudgedClaim : Claim {
   InReadings in_readings = {};  // none: readings do not judge it
 };
 
-// What a rule finds; none if the report has nothing to judge; several if the sentence is about each "{solver}".
+// The results of a rule. Empty: the report has nothing to judge. Several: the sentence is about each "{solver}".
 using JudgedClaims = std::vector<JudgedClaim>;
 
 struct Rule {
@@ -58,14 +58,14 @@ struct Tally {
 };
 // All better: holds; one worse: fails; else more data decide.
 Holds holds_of(const Tally& tally);
-// Of one or more: all hold, some, or none; not decided where that depends on open ones.
+// Returns whether all parts hold, some or none; undecided if open parts decide that. `parts` must not be empty.
 Holds holds_of(const std::vector<Holds>& parts);
 
 // Each value as its distance from its group's median (Brown and Forsythe, JASA 69 (1974) 364), whose means are compared
 // in place of spreads.
 judge::MetricSamples deviations(judge::MetricSamples samples);
 
-// Of the first, in the findings of either order.
+// Returns the verdict of the first solver against the second; not_tested if they are no pair.
 judge::Verdict verdict_between(const judge::JudgedMetric& judged, std::string_view first, std::string_view second);
 
 }  // namespace ikbench::papers

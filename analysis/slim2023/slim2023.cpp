@@ -30,12 +30,24 @@ namespace {
 
 std::string with(const std::string& reading) { return reading.empty() ? "" : " with " + reading; }
 
+std::string_view repeats_text(Holds conclusion) {
+  switch (conclusion) {
+    case Holds::holds:
+      return "repeats in";
+    case Holds::in_part:
+      return "repeats in a part of";
+    case Holds::fails:
+      return "does not repeat in";
+    case Holds::undecided:
+    case Holds::not_tested:
+      return "is not shown to repeat in";
+  }
+  return "";
+}
+
 std::string first_sentence(Holds conclusion, const std::vector<SeedCounts>& counts,
                            const std::vector<JudgedClaim>& claims) {
-  const std::string_view words = conclusion == Holds::holds     ? "repeats in"
-                                 : conclusion == Holds::in_part ? "repeats in a part of"
-                                 : conclusion == Holds::fails   ? "does not repeat in"
-                                                                : "is not shown to repeat in";
+  const std::string_view words = repeats_text(conclusion);
   const JudgedClaim* const other = claim_named(claims, "best_compromise_50");
   const std::string by = other != nullptr && other->holds == conclusion ? " with 20 and with 50 agents" : "";
   const auto open = std::ranges::count_if(
@@ -90,10 +102,12 @@ std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
       const auto* const row = row_of(rows, dot.label);
       return row == nullptr ? nowhere : row->numbers.mean;
     };
-    dot.printed_x = printed(motion), dot.printed_y = printed(error);
+    dot.printed_x = printed(motion);
+    dot.printed_y = printed(error);
   };
   if (auto overview = overview_of(judged, look, add_printed)) {
-    overview->name = "overview", overview->caption += " Rings: as printed.";
+    overview->name = "overview";
+    overview->caption += " Rings: as printed.";
     figures.all.push_back(std::move(*overview));
   }
   figures.add(5, path_of(study, look, 1, ", with the arm."));

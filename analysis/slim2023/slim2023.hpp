@@ -17,7 +17,7 @@
 
 namespace ikbench::slim2023 {
 
-// What the paper measures: its name there, and the numbers of its ANOVA, its curves and its box plot.
+// A metric of the paper: its name there, and the numbers of its ANOVA table, its curves and its box plot.
 struct PaperMetric {
   std::string_view column, name;
   int anova, curves, boxes;
@@ -29,11 +29,11 @@ constexpr std::array<PaperMetric, 3> paper_metrics{{{"position_error_cm", "posit
 // Settings and arm of the paper's study.
 show::Table table_1(const judge::StudyResults& study);
 show::Table table_2(const judge::StudyResults& study);
-// Of the paper's study or another reading: solvers and their statistics by error, variation and time.
+// Returns the statistics of each solver by error, variation and time, for the paper's study or another interpretation.
 show::Table table_3(const papers::Repeated& repeated);
 // Tables 4 to 6: of error, variation and time.
 std::vector<show::Table> anova_tables(const papers::Repeated& repeated);
-// Of random targets and of the circle; none for other studies.
+// Returns the table of random targets or of the circle; nullopt for other studies.
 std::optional<show::Table> table_7(const judge::StudyResults& study);
 std::optional<show::Table> table_8(const judge::StudyResults& study);
 
@@ -46,9 +46,9 @@ std::vector<std::string> sentences(const std::vector<papers::JudgedClaim>& claim
 std::vector<show::Blocks> sections(const papers::Repeated& repeated,
                                    const std::vector<figures::Figure>& figures_of_circle = {});
 
-// Of its helix 5 the path with the arm, 6 to 8 error, variation and time by point, 9 the joint angles, 10 to 12 box
-// plots beside the printed numbers; of its circle 15 it in space, 16 the joint angles, 17 the error by
-// point beside Table 8's, 18 the mean error by iteration. None if nothing was solved.
+// Returns the figures of the paper. Of the helix: 5 the path with the arm, 6 to 8 error, variation and time by point, 9
+// the joint angles, 10 to 12 box plots beside the printed numbers; of its circle 15 it in space, 16 the joint angles,
+// 17 the error by point beside Table 8's, 18 the mean error by iteration. None if nothing was solved.
 std::vector<figures::Figure> figures_of(const judge::JudgedStudy& judged, const figures::Look& look);
 
 }  // namespace ikbench::slim2023
