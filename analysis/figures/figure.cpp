@@ -46,8 +46,9 @@ void remove_pictures(const Figure& figure, const std::filesystem::path& folder,
   }
 }
 
-// What gnuplot cannot say: a size in units of length, a title, other fonts for machines that lack the one, and strokes
-// of points that are as thick as in other pictures: gnuplot's are 1 pt times the size, whatever the width of lines.
+// Adds to an SVG picture what gnuplot cannot write: a size in units of length, a title, and other fonts for machines
+// that lack the first. Makes strokes of points as thick as in other pictures: gnuplot's are 1 pt times the size,
+// whatever the width of lines.
 void complete_svg(std::string& svg, const Figure& figure) {
   const std::size_t box = svg.find("viewBox=\"0 0 "), end = svg.find('"', box + 13);
   if (box == std::string::npos || end == std::string::npos) return;

@@ -28,7 +28,7 @@ struct Figure {
   double sides_cm = 2.2;      // the width of all beside the plot
 };
 
-// What a figure is about: the name of its files, the plain text below it, and its values.
+// The subject of a figure: the name of the files, the plain text below the picture, and the quantity shown.
 struct About {
   std::string name, caption;
   std::string quantity = {}, unit = {};

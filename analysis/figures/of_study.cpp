@@ -130,7 +130,7 @@ std::optional<Figure> by_point_of(const JudgedStudy& judged, std::string_view co
   return curves(about_of(judged.study, metric, caption), "point", by_point(judged.study, column, look, average));
 }
 
-// Of times, where all compare.
+// Makes a figure of times; nullopt unless the times of all solvers are compared.
 std::optional<Figure> if_timed(decltype(boxes_of)* of, const JudgedStudy& judged, const Look& look) {
   return not_compared(judged, time).empty() ? of(judged, time, look) : std::nullopt;
 }
@@ -189,7 +189,7 @@ std::optional<Figure> joints(const JudgedStudy& judged, const Look& look) {
                 joint_rows(study, of_this_machine(study, look)));
 }
 
-// In the order of the report.
+// The figures of a study, in the order of the report.
 constexpr KindOfFigure all_kinds[]{
     {"overview", "error against joint motion",
      [](auto& judged, auto& look) { return overview_of(judged, look, [](Dot&) {}); }},

@@ -31,7 +31,8 @@ struct BoxRow {
 };
 std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& rows);
 
-// Of lines (curves, shares, joints) the first seven are drawn; the data file has all, the caption whose are left out.
+// Figures of lines (curves, shares, joints) show the first seven. The data file has all; the caption names those left
+// out.
 
 // Curves of y by x with the band from low to high, the quartiles.
 struct CurveRow {

@@ -13,7 +13,7 @@
 
 namespace ikbench::figures {
 
-// Of a metric, in the unit that figures have.
+// Returns the subject of a figure of this metric, in the unit that figures have.
 About about_of(const judge::StudyResults& study, const judge::Metric& metric, std::string caption);
 
 // The solvers that figures show, in their order; of more lines than are drawn the study's own first.
@@ -25,7 +25,7 @@ struct DrawnUnit {
   double factor = 1;
 };
 DrawnUnit drawn_unit(const judge::StudyResults& study, std::string_view unit);
-// Of the groups of these names, in their order.
+// Returns a row of boxes for each of these names, in their order.
 std::vector<BoxRow> box_rows(const judge::MetricSamples& samples, const DrawnUnit& unit,
                              const std::vector<std::string>& shown, const Look& look);
 // Medians of all runs with their quartiles, or means.
@@ -35,7 +35,7 @@ std::vector<Line> by_point(const judge::StudyResults& study, std::string_view co
 // The best error after each iteration, of all solves; those that ended earlier keep their last. Solvers without a trace
 // have no row.
 std::vector<Line> by_iteration(const judge::StudyResults& study, const Look& look, Average average);
-// Of the joints that turn. Empty where no answer is known.
+// Returns the angles of the revolute joints in each solver's first run; without rows for an unknown arm.
 JointRows joint_rows(const judge::StudyResults& study, const Look& look);
 
 // The corners of an arm from the base to the tool: the origins of a description's joints, or the ends of the table's

@@ -174,7 +174,7 @@ class QuestionTeller {
   const PairIndex pairs_;
   std::string first_named_ = {};  // the solver with the first number; empty: none yet
 
-  // What both sentences say.
+  // Words of both sentences.
 
   std::string same_within_margin() const { return "the same within " + margin_text(judged_); }
   std::string below_margin(bool is_so) const { return is_so ? ", by less than " + margin_text(judged_) : ""; }

@@ -41,7 +41,7 @@ std::set<std::size_t> shown_places(const StudyResults& study, const std::vector<
   return places;
 }
 
-// Of the first run of a solver these places; a start only if it differs from the previous answer.
+// Returns these places of a solver's first run. A step has a start only if it differs from the previous answer.
 Json first_run(const StudyResults& study, const std::string& solver, const std::set<std::size_t>& places) {
   const std::span<const SolveRecord> solves = study.first_run_of(solver);
   const auto [unit, factor] = figures::drawn_unit(study, "cm");

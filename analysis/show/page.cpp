@@ -144,7 +144,7 @@ struct MarkdownWriter {
 
 }  // namespace
 
-// What it is replaced by is not looked at.
+// Replaced text is not searched again, so that a value may hold "{{".
 std::string fill_template(std::string_view name, const std::map<std::string, std::string, std::less<>>& values) {
   const std::string_view page = template_named(name);
   std::string text;

@@ -45,7 +45,7 @@ std::string with_unit(const std::string& text, const std::string& unit);  // "1 
 // "5 %", "5 points", "5 % or 0.1 mm"
 std::string margin_text(const judge::JudgedMetric& judged);
 
-// Of a study: its title, or its name.
+// Returns the title of a study; its name if it has no title.
 const std::string& title_of(const judge::StudyResults& study);
 // "ur5e, 20 runs of 5 targets (random)"
 std::string study_text(const judge::StudyResults& study);

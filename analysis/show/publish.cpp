@@ -58,7 +58,7 @@ std::vector<Kind*> all_in(std::vector<Blocks>& sections) {
   return all;
 }
 
-// Of an earlier report, what this one has not.
+// Removes the files of an earlier report that this one does not have.
 void remove_earlier(const fs::path& folder, const std::vector<std::string>& earlier,
                     const std::vector<std::string>& files) {
   for (const std::string& file : earlier) {
@@ -178,7 +178,7 @@ WrittenReport write_report(const Report& report, const fs::path& folder, const f
   written.warnings = figures::write_figures(figures, folder / "figures", options);
   for (const Table* table : tables) write_table(*table, article_table(*table, report), folder / "tables", program);
   write_article(report, names, figures, folder, program);
-  // What was not drawn; where it cannot be told whether a file is there, this throws.
+  // Pictures that were not drawn are not listed. Throws if nobody can tell whether a file exists.
   std::erase_if(files, [&](const fs::path& file) {
     return file.parent_path() == "figures" && !fs::is_regular_file(folder / file);
   });

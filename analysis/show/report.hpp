@@ -11,12 +11,12 @@
 
 namespace ikbench::show {
 
-// What sections are made of.
+// A study or a user's file with all that its report shows. `report_sections` makes the sections of it.
 struct Report {
   judge::StudyResults study;  // a user's file: its name alone
   ReportModel model;
   std::vector<figures::Figure> figures;
-  // Of a paper: instead of the sentence and the table of results; its claims; and sections of its own, each with its
+  // The parts of a repeated paper. `lead` replaces the headline and the table of results, and each section has a
   // heading.
   Blocks lead = {}, claims = {};
   std::vector<Blocks> extra_sections = {};
@@ -27,7 +27,8 @@ struct Report {
 };
 Report make_report(judge::JudgedStudy judged, std::vector<figures::Figure> figures);
 
-// What was solved and how it was judged, and on which machine; of a user's file only how.
+// Returns two tables: the study with the rules by which it was judged, and the machine. A user's file has only the
+// rules.
 std::vector<Table> setup_tables(const Report& report);
 // The blocks of each section, the additions after the pictures; empty ones are left out. The first begins with the
 // headline.

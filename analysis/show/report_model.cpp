@@ -49,7 +49,7 @@ JudgedMetric in_unit(JudgedMetric judged, double factor, std::string unit) {
   return judged;
 }
 
-// What a solver did in a control loop, over all its solves.
+// The counts of one solver in a control loop, over all solves.
 struct LoopCounts {
   double solves = 0, failed = 0, late = 0;
   double steps = 0, too_fast = 0;  // between two targets of a run

@@ -1,4 +1,5 @@
-// Judged metrics as readers see them: in their units, pairs of the best first, and of a pair the better one.
+// A judged study prepared for display: in readers' units, comparisons ordered by the solvers' places, the better solver
+// of each comparison first. Tables, headline, page and JSON are made of this.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,7 @@
 namespace ikbench::show {
 
 struct ReportModel {
-  std::vector<judge::JudgedMetric> metrics;  // first that of the headline
+  std::vector<judge::JudgedMetric> metrics;  // the first is that of the headline
   std::vector<std::size_t> order;            // its groups, best first
   std::vector<judge::Warning> warnings;      // of all
   std::string noun = "values";               // what observations are
@@ -26,8 +27,8 @@ struct ReportModel {
   std::string direction = {};  // of a file: "smaller is better"
   std::vector<std::string> tie_breakers = {};    // of the plan, in their order; empty: no second question
   std::vector<HeadlineQuestion> questions = {};  // one or two, which the headline answers
-  // Of a study, with their headings: a control loop; times, of another machine too, and in batches. Without rows if it
-  // has none.
+  // The further tables of a study with their headings: the control loop, the times of imported solvers, the times in
+  // batches. A table without rows is not shown.
   std::vector<std::pair<std::string, Table>> extra_tables = {};
 
   const judge::JudgedMetric& primary() const { return metrics.front(); }
@@ -35,7 +36,7 @@ struct ReportModel {
   bool is_in_headline(const judge::JudgedMetric& judged) const;  // one of `metrics`, about which a question is
   // Removes the metrics of a kind, which must not be the first's, and asks the questions again.
   void remove_metrics(judge::QuantityKind kind);
-  // Those of all and of each metric, each once; what several metrics have alike, as one.
+  // Returns the warnings of the study and of all metrics. Those that several metrics share are merged.
   std::vector<judge::Warning> all_warnings() const;
 };
 
@@ -46,7 +47,8 @@ ReportModel make_report_model(std::vector<judge::JudgedMetric> metrics, std::siz
 ReportModel make_report_model(const judge::JudgedStudy& judged);
 
 bool is_success_rate(const judge::JudgedMetric& judged);
-// A group's average as readers see it: at most the tolerance, or the floor that ratios know nothing below.
+// A group's average for display. `is_bound`: the true value is this or smaller, because it lies below the tolerance or
+// the metric's floor.
 struct BoundedValue {
   double value;
   bool is_bound = false;
@@ -55,7 +57,7 @@ BoundedValue displayed(const judge::JudgedMetric& judged, std::size_t group, dou
 BoundedValue displayed_average(const judge::JudgedMetric& judged, std::size_t group);  // by which it is tested
 std::vector<double> percent_boundaries(const judge::JudgedMetric& judged);  // 99.97 % is not 100; of others none
 
-// What observations of a metric are: "targets", of time "sessions".
+// Returns the word for observations of a metric: "targets" or "runs", for times "sessions".
 std::string observation_noun(const ReportModel& model, const judge::JudgedMetric& judged);
 bool has_failed(const judge::StudyResults& study, const judge::SolveSummary& solve);  // without a tolerance: to answer
 std::string reference_of(const ReportModel& model);  // the control, else the first of the table of results

@@ -37,7 +37,7 @@ struct ValueCell {
 struct MissingCell {
   std::string reason;
 };
-// What was found, which a page colours.
+// How a page colours a verdict.
 enum class Tone { neutral, good, bad };
 struct VerdictCell {
   std::string text;
@@ -50,7 +50,7 @@ using Cell = std::variant<std::monostate, std::string, std::int64_t, double, jud
 
 inline Cell text_cell(std::string text) { return text.empty() ? Cell() : Cell(std::move(text)); }
 
-// What a column is, which writers ask, whatever its name says.
+// The role of a column, by which writers format its cells.
 enum class ColumnRole {
   value,
   p,            // p-values: "0.0005", "< 0.0001"

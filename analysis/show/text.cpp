@@ -81,7 +81,7 @@ std::string latex_text(std::string_view text) {
                                                     {'[', "{[}"},
                                                     {']', "{]}"},
                                                     {'*', "{*}"}}};  // after \\ it would be an argument
-  // What TeX would set as closing quotes and as hyphens.
+  // TeX would set an opening quote as a closing one, and a minus sign as a hyphen.
   static const std::regex quote("(^|[ (])'(?=[^ ])"), power("(^|[ (])(-?[0-9.]+)e[+]?(-?)0*([0-9]+)(?=$|[ ),;])"),
       sign("(^|[ (])-(?=[0-9])");
   std::string result = std::regex_replace(replaced(text, substitutes, "{}$&#_%"), quote, "$1`");
