@@ -97,7 +97,7 @@ int spawn(pid_t& process, std::vector<std::string>& words, const std::filesystem
   return error;
 }
 
-void bury(pid_t process) {
+void wait_for_end(pid_t process) {
   while (::waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
   }
 }
@@ -106,7 +106,7 @@ void bury(pid_t process) {
 // ends all that is left of the program, and ends as it did. The guard survives whatever happens to our process. It
 // calls nothing that needs a lock except malloc, which C libraries keep usable after a fork.
 template <class Spawn>
-[[noreturn]] void guard(int lifeline, int told, Spawn&& start) {
+[[noreturn]] void guard(int lifeline, int reply, Spawn&& start) {
   ::setpgid(0, 0);
   for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGPIPE}) ::signal(signal, SIG_IGN);
   ::signal(SIGCHLD, [](int) {});
@@ -121,8 +121,8 @@ template <class Spawn>
   ::sigprocmask(SIG_SETMASK, &of_children, nullptr);  // the signal comes only during pselect
   pid_t process = 0;
   const int error = start(process);
-  const pid_t said = error == 0 ? process : -error;
-  if (::write(told, &said, sizeof(said)) < 0 || error != 0) ::_exit(0);
+  const pid_t result = error == 0 ? process : -error;
+  if (::write(reply, &result, sizeof(result)) < 0 || error != 0) ::_exit(0);
   ::dup2(lifeline, STDIN_FILENO);
   closefrom(STDIN_FILENO + 1);
   bool is_over = false;
@@ -133,11 +133,17 @@ template <class Spawn>
     FD_ZERO(&ends);
     FD_SET(STDIN_FILENO, &ends);
     if (!is_over) is_over = ::pselect(1, &ends, nullptr, nullptr, nullptr, &none) > 0;
-    int its = 0;
-    while ((ended = ::waitpid(-1, &its, WNOHANG)) > 0)
-      if (ended == process) is_over = true, status = its;
+    do {
+      int child_status = 0;
+      ended = ::waitpid(-1, &child_status, WNOHANG);
+      if (ended == process) {
+        is_over = true;
+        status = child_status;
+      }
+    } while (ended > 0);
     if (!is_over) continue;
-    ::kill(-process, SIGKILL), ::kill(process, SIGKILL);   // the program may have left its group
+    ::kill(-process, SIGKILL);
+    ::kill(process, SIGKILL);                              // the program may have left its group
     std::ifstream children("/proc/thread-self/children");  // also those whose parents have just ended
     for (pid_t child = 0; children >> child;) ::kill(child, SIGKILL);
     ::usleep(1000);
@@ -153,21 +159,21 @@ template <class Spawn>
 
 ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem::path& folder,
                            std::vector<std::string> variables) {
-  Pipe input, output, errors, lifeline, told;
+  Pipe input, output, errors, lifeline, reply;
   guard_ = ::fork();
   if (guard_ == 0)
-    guard(lifeline.ends[0], told.ends[1], [&](pid_t& process) {
+    guard(lifeline.ends[0], reply.ends[1], [&](pid_t& process) {
       return spawn(process, words, folder, variables, {input.ends[0], output.ends[1], errors.ends[1]});
     });
   if (guard_ < 0) throw std::runtime_error(fmt::format("no process starts: {}; raise ulimit -u", std::strerror(errno)));
-  ::close(told.take(1));
-  pollfd of_guard{.fd = told.ends[0], .events = POLLIN, .revents = 0};
+  ::close(reply.take(1));
+  pollfd of_guard{.fd = reply.ends[0], .events = POLLIN, .revents = 0};
   while (::poll(&of_guard, 1, 100) <= 0) ::kill(guard_, SIGCONT);  // the program may have stopped the guard
-  while (::read(told.ends[0], &process_, sizeof(process_)) < 0 && errno == EINTR) {
+  while (::read(reply.ends[0], &process_, sizeof(process_)) < 0 && errno == EINTR) {
   }
   if (process_ < 0) {
     const int error = -process_;
-    bury(guard_);
+    wait_for_end(guard_);
     std::error_code none;
     throw std::invalid_argument(fmt::format(
         "cannot start \"{0}\": {1}", words[0],
@@ -191,15 +197,15 @@ ChildProcess::Ran ChildProcess::run(const std::vector<std::string>& words, const
     while (process.output_ >= 0) process.wait(-1, deadline, "it took more than a minute");
     process.end(std::chrono::seconds(1));
     return {WIFEXITED(process.status_) && WEXITSTATUS(process.status_) == 0, process.read_ + process.wrote_};
-  } catch (const ProcessFailure& trouble) {
-    return {.output = fmt::format("{}: {}", words[0], trouble.why)};
+  } catch (const ProcessFailure& failure) {
+    return {.output = fmt::format("{}: {}", words[0], failure.why)};
   } catch (const std::invalid_argument& error) {
     return {.output = error.what()};
   }
 }
 
 bool ChildProcess::is_running() {
-  // An error means that nobody keeps how the guard ended.
+  // An error means that the system does not keep how the guard ended.
   if (!has_ended_) has_ended_ = ::waitpid(guard_, &status_, WNOHANG) != 0;
   return !has_ended_;
 }
@@ -228,7 +234,7 @@ void ChildProcess::wait(int input, Clock::time_point deadline, const char* what)
   constexpr long slice = 200;  // [ms] between checks that the process still runs
   const long left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
   if (left <= 0) throw ProcessFailure{ProcessFailure::Kind::timed_out, what};
-  const bool has_room = read_.size() <= longest_line;
+  const bool has_room = read_.size() <= max_line_bytes;
   std::array<pollfd, 3> files{pollfd{.fd = errors_, .events = POLLIN, .revents = 0},
                               pollfd{.fd = has_room ? output_ : -1, .events = POLLIN, .revents = 0},
                               pollfd{.fd = input, .events = POLLOUT, .revents = 0}};
@@ -260,13 +266,13 @@ void ChildProcess::write(std::string_view text, Clock::time_point deadline) {
 
 std::string ChildProcess::read_line(Clock::time_point deadline) {
   for (std::size_t seen = 0;;) {
-    if (const std::size_t end = read_.find('\n', seen); end != std::string::npos && end <= longest_line) {
+    if (const std::size_t end = read_.find('\n', seen); end != std::string::npos && end <= max_line_bytes) {
       std::string line = read_.substr(0, end);
       read_.erase(0, end + 1);
       if (line.ends_with('\r')) line.pop_back();
       return line;
     }
-    if (read_.size() > longest_line)
+    if (read_.size() > max_line_bytes)
       throw ProcessFailure{ProcessFailure::Kind::protocol_error, "it wrote a line of more than a million bytes"};
     if (output_ < 0) throw ProcessFailure{ProcessFailure::Kind::crashed, "it ended"};
     seen = read_.size();
@@ -274,10 +280,10 @@ std::string ChildProcess::read_line(Clock::time_point deadline) {
   }
 }
 
-void ChildProcess::end(std::chrono::milliseconds patience) {
+void ChildProcess::end(std::chrono::milliseconds timeout) {
   if (guard_ < 0) return;
   close_one(input_);
-  for (const auto until = Clock::now() + patience; is_running() && Clock::now() < until;) {
+  for (const auto until = Clock::now() + timeout; is_running() && Clock::now() < until;) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   close_one(lifeline_);
@@ -293,22 +299,22 @@ void ChildProcess::end(std::chrono::milliseconds patience) {
   for (int* descriptor : {&output_, &errors_}) close_one(*descriptor);
 }
 
-std::string ChildProcess::end_after(ProcessFailure::Kind trouble) {
-  const bool by_itself = trouble == ProcessFailure::Kind::crashed;
+std::string ChildProcess::end_after(ProcessFailure::Kind failure) {
+  const bool by_itself = failure == ProcessFailure::Kind::crashed;
   end(std::chrono::seconds(by_itself ? 1 : 0));
   // A signal to all processes of a job may have reached the program before us. During this pause it ends our process,
   // or we hear it.
   if (by_itself) std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  std::string told;
+  std::string text;
   if (by_itself && WIFSIGNALED(status_))
-    told = fmt::format(" (signal {}{})", WTERMSIG(status_),
+    text = fmt::format(" (signal {}{})", WTERMSIG(status_),
                        WTERMSIG(status_) == SIGKILL ? ": killed, or it closed its standard output" : "");
-  if (by_itself && WIFEXITED(status_)) told = fmt::format(" (exit code {})", WEXITSTATUS(status_));
+  if (by_itself && WIFEXITED(status_)) text = fmt::format(" (exit code {})", WEXITSTATUS(status_));
   std::string_view last = wrote_;
   last = last.substr(0, last.find_last_not_of("\n ") + 1);
   last = last.substr(last.find_last_of('\n') + 1);
-  if (!last.empty()) told += fmt::format("; its last words: {}", one_line(front(last, 200)));
-  return told;
+  if (!last.empty()) text += fmt::format("; its last words: {}", one_line(front(last, 200)));
+  return text;
 }
 
 }  // namespace ikbench::base

@@ -25,7 +25,7 @@ struct ProcessFailure {
 // A program that runs, and its standard input, output and error.
 class ChildProcess {
  public:
-  static constexpr std::size_t longest_line = 1'000'000;  // bytes
+  static constexpr std::size_t max_line_bytes = 1'000'000;  // bytes
 
   // Starts the program `words[0]`, found as a shell finds it, with the other words as arguments, in a folder (empty:
   // the current one). The program gets our environment with these variables, "LC_ALL=C". Throws std::invalid_argument
@@ -42,8 +42,8 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  // Write a text, or read a line without its end. Both throw Trouble at the deadline, or when the program has ended.
-  // Meanwhile they read its standard error, so that it never waits for us.
+  // Write a text, or read a line without its end. Both throw ProcessFailure at the deadline, or when the program has
+  // ended. Meanwhile they read the program's standard error, so that it never waits for us.
   void write(std::string_view text, Clock::time_point deadline);
   std::string read_line(Clock::time_point deadline);
   bool has_line();  // true if a line can be read without waiting
@@ -51,12 +51,12 @@ class ChildProcess {
 
   bool is_running();
   double cpu_seconds() const;  // [s] of all its threads; 0: not known
-  // Closes the program's standard input, waits for `patience`, then ends it by force with all that it started.
-  void end(std::chrono::milliseconds patience);
+  // Closes the program's standard input, waits for `timeout`, then ends it by force with all that it started.
+  void end(std::chrono::milliseconds timeout);
   // Ends the program after a failure. Returns how it ended by itself and its last words: " (exit code 3); its last
   // words: x". If it ended by itself, this takes 0.1 s more, in which a signal to all processes of a job also reaches
   // ours.
-  std::string end_after(ProcessFailure::Kind trouble);
+  std::string end_after(ProcessFailure::Kind failure);
 
  private:
   static void close_one(int& descriptor);

@@ -119,6 +119,11 @@ bool is_formula(std::string_view cell) {
   return !cell.empty() && std::string_view("=+-@").find(cell.front()) != std::string_view::npos && !number_from(cell);
 }
 
+// Returns advice on a first row that has another number of cells than the header.
+std::string_view advice_on_title(std::size_t cells, std::size_t columns) {
+  return cells == columns + 1 ? "; write a title also above names of rows" : "; begin a title above the header with #";
+}
+
 }  // namespace
 
 void append_csv_cell(std::string& text, std::string_view cell) {
@@ -182,11 +187,9 @@ CsvTable parse_csv(std::string_view text, std::string_view source, const CsvForm
     const bool is_none = is_rule(reader.row_text()) || (!has_all && is_comment(row->front()));
     if (!form.is_ours && is_none) continue;
     if (!has_all)
-      reader.refuse_row(
-          fmt::format("{}; expected {} as in the header{}", counted(std::ssize(*row), "cells"), table.header.size(),
-                      table.rows() > 0                         ? ""
-                      : row->size() == table.header.size() + 1 ? "; write a title also above names of rows"
-                                                               : "; begin a title above the header with #"));
+      reader.refuse_row(fmt::format("{}; expected {} as in the header{}", counted(std::ssize(*row), "cells"),
+                                    table.header.size(),
+                                    table.rows() > 0 ? "" : advice_on_title(row->size(), table.header.size())));
     table.lines_.push_back(reader.row_line());
     table.cells_.insert(table.cells_.end(), row->begin(), row->end());
   }

@@ -107,9 +107,8 @@ void write_whole(const fs::path& file, const Contents& contents, bool syncs) {
   }
   struct stat there {};
   const bool is_file = ::lstat(file.c_str(), &there) == 0 && S_ISREG(there.st_mode);
-  if (!error)
-    error = is_file && ::access(file.c_str(), W_OK) != 0 ? last_error()
-                                                         : replace(file, contents, is_file ? &there : nullptr, syncs);
+  if (!error && is_file && ::access(file.c_str(), W_OK) != 0) error = last_error();
+  if (!error) error = replace(file, contents, is_file ? &there : nullptr, syncs);
   if (error) refuse_place("write", file, error.value());
 }
 

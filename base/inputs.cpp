@@ -22,16 +22,16 @@ void note_input(const std::filesystem::path& file) {
   inputs.insert(file);
 }
 
-std::string text_of_file(const std::filesystem::path& file, std::uintmax_t largest) {
+std::string text_of_file(const std::filesystem::path& file, std::uintmax_t max_bytes) {
   note_input(file);
-  const std::optional<std::string> text = read_file(file, largest);  // the size of a file may be unknown
+  const std::optional<std::string> text = read_file(file, max_bytes);  // the size of a file may be unknown
   std::error_code none;
   if (!text && std::filesystem::exists(file, none))
     throw std::invalid_argument(fmt::format("{} is no regular file", file.string()));
   if (!text) throw std::invalid_argument(fmt::format("there is no file {}", file.string()));
-  if (text->size() > largest)
+  if (text->size() > max_bytes)
     throw std::invalid_argument(
-        fmt::format("{}: expected a file of at most {:g} MB", file.string(), static_cast<double>(largest) / 1e6));
+        fmt::format("{}: expected a file of at most {:g} MB", file.string(), static_cast<double>(max_bytes) / 1e6));
   return *text;
 }
 

@@ -8,12 +8,12 @@ namespace ikbench::base {
 
 namespace {
 
-// Returns true if lists and objects are nested deeper than `deepest_json`. The callback of the library would need
+// Returns true if lists and objects are nested deeper than `max_json_depth`. The callback of the library would need
 // quadratic time.
 bool is_too_deep(std::string_view text) {
   int depth = 0;
   bool is_in_string = false;
-  for (std::size_t i = 0; i < text.size() && depth <= deepest_json; ++i) {
+  for (std::size_t i = 0; i < text.size() && depth <= max_json_depth; ++i) {
     if (text[i] == '\\')
       ++i;
     else if (text[i] == '"')
@@ -21,7 +21,7 @@ bool is_too_deep(std::string_view text) {
     else if (!is_in_string)
       depth += (text[i] == '[' || text[i] == '{') - (text[i] == ']' || text[i] == '}');
   }
-  return depth > deepest_json;
+  return depth > max_json_depth;
 }
 
 template <class Value>
@@ -36,7 +36,8 @@ Json parsed_json(std::string_view text) { return parsed<Json>(text); }
 OrderedJson parsed_ordered_json(std::string_view text) { return parsed<OrderedJson>(text); }
 
 OrderedJson json_of(double value) {
-  return std::isfinite(value) ? OrderedJson(value) : std::isnan(value) ? OrderedJson() : OrderedJson(text_of(value));
+  if (std::isfinite(value)) return OrderedJson(value);
+  return std::isnan(value) ? OrderedJson() : OrderedJson(text_of(value));
 }
 
 std::string text_of(const Json& json, int indent) {

@@ -11,8 +11,9 @@ namespace ikbench::base {
 using Json = nlohmann::json;
 using OrderedJson = nlohmann::ordered_json;  // members stay in the order in which they were added
 
-constexpr int deepest_json = 100;  // levels; a copy of a deeper value could overflow the stack
-// Parses a text. Returns a discarded value (is_discarded()) if it is not JSON, or is nested deeper than `deepest_json`.
+constexpr int max_json_depth = 100;  // levels; a copy of a deeper value could overflow the stack
+// Parses a text. Returns a discarded value (is_discarded()) if it is not JSON, or is nested deeper than
+// `max_json_depth`.
 Json parsed_json(std::string_view text);
 OrderedJson parsed_ordered_json(std::string_view text);
 

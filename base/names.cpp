@@ -16,14 +16,19 @@ namespace {
 unsigned char byte(std::string_view text, std::size_t at) { return static_cast<unsigned char>(text[at]); }
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
+// Returns the number of bytes of a UTF-8 character that begins with this byte; 0 if no character does.
+std::size_t length_by_lead(unsigned char lead) {
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead < 0xE0) return 2;
+  if (lead >= 0xE0 && lead < 0xF0) return 3;
+  if (lead >= 0xF0 && lead < 0xF5) return 4;
+  return 0;
+}
+
 // Returns the number of bytes of the first character, if it belongs to UTF-8 and to XML; 0 otherwise.
 std::size_t length_of_first(std::string_view text) {
   const unsigned char lead = byte(text, 0);
-  const std::size_t length = lead < 0x80                   ? 1
-                             : lead >= 0xC2 && lead < 0xE0 ? 2
-                             : lead >= 0xE0 && lead < 0xF0 ? 3
-                             : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                           : 0;
+  const std::size_t length = length_by_lead(lead);
   if (length < 2) return length;
   if (text.size() < length || !std::ranges::all_of(text.substr(1, length - 1), is_continuation)) return 0;
   const unsigned char next = byte(text, 1);
@@ -67,7 +72,10 @@ std::string one_line(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = length_of_first(text);
     const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
-    result += length == 0 ? "\uFFFD" : is_control(character) ? " " : character;
+    if (length == 0)
+      result += "\uFFFD";
+    else
+      result += is_control(character) ? " " : character;
     text.remove_prefix(character.size());
   }
   return result;
@@ -77,8 +85,9 @@ std::string in_quotes(std::string_view text) { return fmt::format("'{}'", one_li
 
 std::size_t first_broken(std::string_view text) {
   for (std::size_t at = 0, length = 0; at < text.size(); at += length) {
-    length = static_cast<signed char>(text[at]) > 0 ? 1 : text[at] == 0 ? 0 : length_of_first(text.substr(at));
-    if (length == 0) return at;
+    const bool is_ascii = static_cast<signed char>(text[at]) > 0;
+    length = is_ascii ? 1 : length_of_first(text.substr(at));
+    if (length == 0 || text[at] == 0) return at;
   }
   return std::string_view::npos;
 }
@@ -106,12 +115,14 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   std::size_t smallest = name.size() / 3 + 2;
   for (const std::string& candidate : candidates) {
     const std::size_t distance = edit_distance(name, candidate);
-    if (distance < smallest) smallest = distance, nearest = candidate;
+    if (distance >= smallest) continue;
+    smallest = distance;
+    nearest = candidate;
   }
-  constexpr std::size_t fewest = 3;  // shorter names match too much
-  if (!nearest.empty() || name.size() < fewest) return nearest;
-  const auto longer =
-      std::ranges::find_if(candidates, [&](const std::string& each) { return each.find(name) != std::string::npos; });
+  constexpr std::size_t min_length = 3;  // shorter names match too much
+  if (!nearest.empty() || name.size() < min_length) return nearest;
+  const auto contains_name = [&](const std::string& candidate) { return candidate.find(name) != std::string::npos; };
+  const auto longer = std::ranges::find_if(candidates, contains_name);
   return longer == candidates.end() ? "" : *longer;
 }
 
@@ -123,7 +134,7 @@ std::string listed(const std::vector<std::string>& names, std::string_view last)
 }
 
 std::string names_of(const std::vector<std::string>& names, std::string_view last) {
-  if (names.size() <= most_named) return listed(names, last);
+  if (names.size() <= max_named) return listed(names, last);
   return fmt::format("{} and {} more", listed({names.begin(), names.begin() + 3}, ", "), names.size() - 3);
 }
 
@@ -131,10 +142,10 @@ std::string counted(std::int64_t count, std::string_view nouns) {
   return fmt::format("{} {}", count, nouns.substr(0, nouns.size() - (count == 1 ? 1 : 0)));
 }
 
-std::string_view front(std::string_view text, std::size_t most) {
-  if (text.size() <= most) return text;
-  while (most > 0 && is_continuation(text[most])) --most;
-  return text.substr(0, most);
+std::string_view front(std::string_view text, std::size_t max_bytes) {
+  if (text.size() <= max_bytes) return text;
+  while (max_bytes > 0 && is_continuation(text[max_bytes])) --max_bytes;
+  return text.substr(0, max_bytes);
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -162,7 +173,7 @@ bool is_plain(std::string_view text) {
 }
 
 std::map<std::string, std::string> short_names(const std::vector<std::string>& names, std::size_t length) {
-  constexpr std::size_t longest = 60;
+  constexpr std::size_t max_length = 60;
   std::map<std::string, std::map<std::string, std::size_t>> counts;  // counts of words, by the first word of the name
   const auto words_of = [](const std::string& name) {
     std::istringstream all(name);
@@ -175,7 +186,7 @@ std::map<std::string, std::string> short_names(const std::vector<std::string>& n
     for (const std::string& word : std::set<std::string>(words.begin(), words.end())) ++counts[words.front()][word];
   }
   std::map<std::string, std::string> short_of;
-  for (std::set<std::string> different; different.size() < names.size() && length <= longest; ++length) {
+  for (std::set<std::string> different; different.size() < names.size() && length <= max_length; ++length) {
     different.clear();
     for (const std::string& name : names) {
       const std::vector<std::string> words = words_of(name);
@@ -189,9 +200,9 @@ std::map<std::string, std::string> short_names(const std::vector<std::string>& n
         const std::size_t taken = character_count(" …" + own);
         own = shortened(words.front(), std::max(few, length - std::min(length, taken))) + " …" + own;
       }
-      different.insert(short_of[name] = is_long ? shortened(own, longest) : shortened(name, length));
+      different.insert(short_of[name] = is_long ? shortened(own, max_length) : shortened(name, length));
     }
-    if (length < longest || different.size() == names.size()) continue;
+    if (length < max_length || different.size() == names.size()) continue;
     for (const std::string& name : names) short_of[name] = name;  // names that would look the same stay as they are
   }
   return short_of;

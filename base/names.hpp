@@ -21,15 +21,15 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
 
 // Returns "A, B and C", or "A; B, C and D" if one name is "B, C".
 std::string listed(const std::vector<std::string>& names, std::string_view last = " and ");
-// Returns the same for at most `most_named` names, otherwise "A, B, C and 5 more".
-constexpr std::size_t most_named = 4;
+// Returns the names as `listed` does, or "A, B, C and 5 more" if there are more than `max_named`.
+constexpr std::size_t max_named = 4;
 std::string names_of(const std::vector<std::string>& names, std::string_view last = " and ");
 
 // Returns "1 run" or "20 runs", made of the plural.
 std::string counted(std::int64_t count, std::string_view nouns);
 
-// Returns the first bytes, at most `most`, without a cut UTF-8 character at the end.
-std::string_view front(std::string_view text, std::size_t most);
+// Returns the first bytes, at most `max_bytes`, without a cut UTF-8 character at the end.
+std::string_view front(std::string_view text, std::size_t max_bytes);
 
 std::string_view trimmed(std::string_view text);  // without blanks and tabs at both ends
 std::string lower_case(std::string_view text);    // changes ASCII letters only

@@ -21,7 +21,8 @@
 namespace ikbench::base {
 
 void append(std::string& text, double value) {
-  if (!std::isfinite(value)) return void(text += std::isnan(value) ? "NaN" : value > 0 ? "Inf" : "-Inf");
+  if (std::isnan(value)) return void(text += "NaN");
+  if (!std::isfinite(value)) return void(text += value > 0 ? "Inf" : "-Inf");
   std::array<char, 32> buffer;  // the longest is -2.2250738585072014e-308: 24
   text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
 }

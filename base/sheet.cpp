@@ -168,8 +168,8 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
   if (const std::string_view line = trimmed(text.substr(0, text.find('\n')));
       line.starts_with('\\') || line.ends_with('\\'))
     refuse("a table in LaTeX; write a comma in place of each &, and leave out what begins with a backslash");
-  if (std::ranges::count(text, '\n') > most_lines + 1)
-    refuse(fmt::format("more than {} rows; expected at most that: compare a part, or means of runs", most_lines));
+  if (std::ranges::count(text, '\n') > max_lines + 1)
+    refuse(fmt::format("more than {} rows; expected at most that: compare a part, or means of runs", max_lines));
   table_ = parse_csv(text, source, form);
   form.has_header = header == Header::required || !std::ranges::all_of(table_.header, is_number);
   if (!form.has_header) table_ = parse_csv(text, source, form);
@@ -188,7 +188,9 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
   for (std::uint32_t row = 0; row < table_.rows(); ++row) {
     std::size_t filled = 0, last = 0;
     for (std::size_t i = 0; i < titles_.size(); ++i) {
-      if (!cell(row, i).empty()) ++filled, last = i;
+      if (cell(row, i).empty()) continue;
+      ++filled;
+      last = i;
     }
     if (is_comment(table_.cell(row, 0))) marked.push_back(row);
     if (filled == 1 && titles_.size() > 2 && !is_number(cell(row, last)))

@@ -16,7 +16,7 @@
 
 namespace ikbench::base {
 
-constexpr std::ptrdiff_t most_lines = 10'000'000;  // a study may have as many solves
+constexpr std::ptrdiff_t max_lines = 10'000'000;  // a study may have as many solves
 
 using Words = std::initializer_list<std::string_view>;
 bool is_one_of(std::string_view text, const Words& words);  // in upper or lower case

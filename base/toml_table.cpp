@@ -45,7 +45,7 @@ std::string_view line_of(std::string_view text, std::size_t number) {
   return text.substr(0, text.find('\n'));
 }
 
-// What is wrong in a line that is no TOML; of usual mistakes in words of ours.
+// Returns what is wrong in a line that is no TOML: our own words for usual mistakes, otherwise those of toml++.
 std::string toml_mistake(std::string_view line, std::string_view description) {
   const std::size_t begin = line.find_first_not_of(" \t\r");
   if (begin != std::string_view::npos && line[begin] == '<')
@@ -66,11 +66,15 @@ std::string toml_string(std::string_view text) {
 }
 
 void refuse_deep_keys(std::string_view text, std::string_view source) {
-  constexpr std::size_t most_dots = 500;
+  constexpr std::size_t max_dots = 500;
   for (std::size_t at = 0, line = 1, begin = 0, dots = 0; at < text.size(); ++at) {
-    if (text[at] == '\n') ++line, begin = at + 1;
+    if (text[at] == '\n') {
+      ++line;
+      begin = at + 1;
+    }
     if (text[at] == '\n' || text[at] == ',') dots = 0;
-    if (text[at] == '.' && ++dots > most_dots)
+    if (text[at] == '.') ++dots;
+    if (dots > max_dots)
       throw std::invalid_argument(
           fmt::format("{}:{}:{}: not readable TOML: {} dots in a row; expected less deeply nested keys", source, line,
                       at - begin + 1, dots));

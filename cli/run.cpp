@@ -160,7 +160,7 @@ void add_run(const Command& command, Invocation& invocation) {
   command.add("--set", &arguments->set, "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp");
   command.add("--sweep", &arguments->sweep,
               fmt::format("run every combination of values: population=10,20,50, ik_bat.alpha=0.5,0.9; at most {}",
-                          most_solvers));
+                          max_solvers));
   command.add("--only", &arguments->only, "solve and report these labels alone: A,B; of a sweep also its label");
   add_run_options(command, arguments->run);
   add_report_options(command, arguments->report, true);

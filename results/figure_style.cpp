@@ -15,11 +15,11 @@ using namespace base;
 
 namespace {
 
-constexpr std::size_t most_colours = 20, longest_font = 60;
+constexpr std::size_t max_colours = 20, max_font_bytes = 60;
 
 bool is_font(std::string_view font) {
   const auto is_allowed = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) != 0 || c == ' ' || c == '-'); };
-  return !font.empty() && font.size() <= longest_font && font.front() != ' ' && std::ranges::all_of(font, is_allowed);
+  return !font.empty() && font.size() <= max_font_bytes && font.front() != ' ' && std::ranges::all_of(font, is_allowed);
 }
 
 }  // namespace
@@ -41,9 +41,9 @@ std::optional<std::pair<std::string, std::string>> style_error(const FigureStyle
       drawn(style.formats.begin(), style.formats.end());
   if (!is_size(style.width_cm, 4)) return {{"width_cm", "0, or from 4 to 60"}};
   if (!is_size(style.height_cm, 3)) return {{"height_cm", "0, or from 3 to 60"}};
-  if (!is_font(style.font)) return {{"font", fmt::format("at most {} letters, digits, blanks and -", longest_font)}};
-  if (style.palette.empty() || style.palette.size() > most_colours || !std::ranges::all_of(style.palette, is_colour))
-    return {{"palette", fmt::format("1 to {} times {}", most_colours, expected_colour)}};
+  if (!is_font(style.font)) return {{"font", fmt::format("at most {} letters, digits, blanks and -", max_font_bytes)}};
+  if (style.palette.empty() || style.palette.size() > max_colours || !std::ranges::all_of(style.palette, is_colour))
+    return {{"palette", fmt::format("1 to {} times {}", max_colours, expected_colour)}};
   if (shown.size() < style.solvers.size()) return {{"solvers", "each label once"}};
   const auto is_known = [](const std::string& format) { return std::ranges::count(picture_formats, format) == 1; };
   if (drawn.empty() || drawn.size() < style.formats.size() || !std::ranges::all_of(drawn, is_known))

@@ -103,11 +103,11 @@ Fingerprint fingerprint(const Store& store, StoredStudy study) {
 }
 
 std::string fingerprint_line(const Store& store, const StoredStudy& study) {
-  const Fingerprint its = fingerprint(store, study);
+  const Fingerprint found = fingerprint(store, study);
   const auto runs = study.definition.runs, points = study.definition.points;
   const auto solvers = std::ssize(study.series);
   return fmt::format("{}: {} of {} solves (runs x targets x solvers: {} x {} x {}), fingerprint {}", study.name,
-                     its.solves, solvers * runs * points, runs, points, solvers, its.text);
+                     found.solves, solvers * runs * points, runs, points, solvers, found.text);
 }
 
 std::string seal_of(const Store& store) {

@@ -79,8 +79,9 @@ void check_solves(const Store& store, StoredStudy study, const MakeCheck& check_
   try {
     store.for_each_in_study(study, check_of(study));
   } catch (const std::invalid_argument& error) {
-    const std::string said = error.what();
-    throw std::invalid_argument(said.starts_with(quoted(place)) ? said : fmt::format("{}: {}", quoted(place), said));
+    const std::string message = error.what();
+    if (message.starts_with(quoted(place))) throw std::invalid_argument(message);
+    throw std::invalid_argument(fmt::format("{}: {}", quoted(place), message));
   }
 }
 

@@ -14,7 +14,7 @@ namespace ikbench::results {
 
 // Returns the first field in which two definitions (JSON, as the store has them) ask for different solves, with both
 // values: "seed is 1 and 2". Empty if there is none. The numbers of runs may differ.
-std::string difference_in_solves(const std::string& definition, const std::string& other);
+std::string difference_in_solves(const std::string& first, const std::string& second);
 
 // Returns how much is missing, such as "lacks 21 of 90 solves"; empty if the study is complete.
 std::string missing_solves_text(const Store& store, const StoredStudy& study);

@@ -458,8 +458,8 @@ std::vector<StoredStudy> Store::studies(const std::string& name) const {
                                 .algorithm = of_study.getColumn(2).getString(),
                                 .options = object(of_study.getColumn(3))});
       of_study.reset();
-      if (study.series.size() > most_solvers)
-        throw CorruptValue(fmt::format("study {} has more than {} solvers", base::in_quotes(study.name), most_solvers));
+      if (study.series.size() > max_solvers)
+        throw CorruptValue(fmt::format("study {} has more than {} solvers", base::in_quotes(study.name), max_solvers));
       list.push_back(std::move(study));
     }
     return list;

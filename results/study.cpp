@@ -14,30 +14,30 @@ namespace ikbench::results {
 using namespace base;
 
 void list_fields(base::Fields& io, StudySpec& study) {
-  io.text("name", study.name, "results go to out/<name>/; default: the name of the file", base::InKey::no);
-  io.text("title", study.title, "", base::InKey::no);
-  io.text("published", study.published, "compare the results with the printed tables of this paper; \"\": none",
-          base::InKey::no);
+  io.text("name", study.name, {"results go to out/<name>/; default: the name of the file", base::InKey::no});
+  io.text("title", study.title, {"", base::InKey::no});
+  io.text("published", study.published,
+          {"compare the results with the printed tables of this paper; \"\": none", base::InKey::no});
   io.text("robot", study.robot,
-          "a name from ikbench list robots, or a file beside the study: \"my_arm.toml\", \"my_arm.urdf\"",
-          base::InKey::in_text);
+          {"a name from ikbench list robots, or a file beside the study: \"my_arm.toml\", \"my_arm.urdf\"",
+           base::InKey::in_text});
   io.choice(
       "search", study.search, names_of(study.search),
-      "wrist: search the joints before the spherical wrist and solve the wrist in closed form; all_joints: search all "
-      "joints for the position alone; pose: search all joints for position and orientation; axis: for the position and "
-      "the direction of the tool's z axis; flange: search all but the last, which only turns the tool, for the "
-      "position alone",
-      base::InKey::in_text);
+      {"wrist: search the joints before the spherical wrist and solve the wrist in closed form; all_joints: search all "
+       "joints for the position alone; pose: search all joints for position and orientation; axis: for the position and "
+       "the direction of the tool's z axis; flange: search all but the last, which only turns the tool, for the "
+       "position alone",
+       base::InKey::in_text});
   io.number(
       "rotation_weight_m", study.rotation_weight, 1, {0.001, 10},
       "with search = \"pose\" or \"axis\": the error that solvers reduce is the root mean square distance of three "
       "points of the tool, its own and those this far along its x and y axes, or along its z axis both ways");
   io.choice(
       "bounds", study.bounds, names_of(study.bounds),
-      "joint limits of candidates: as each solver's own option says, or the same for all solvers with that option",
-      base::InKey::in_text);
+      {"joint limits of candidates: as each solver's own option says, or the same for all solvers with that option",
+       base::InKey::in_text});
   io.choice("wrist_branch", study.wrist_branch, {"nearest", "positive", "negative", "inside"},
-            "which of the two wrist branches completes an answer", base::InKey::in_text);
+            {"which of the two wrist branches completes an answer", base::InKey::in_text});
   io.choice(
       "wrist_turns", study.wrist_turns, {"principal", "nearest"},
       "the wrist's angles lie within half a turn of 0, or they are turned by whole turns to where they move least");
@@ -58,17 +58,18 @@ void list_fields(base::Fields& io, StudySpec& study) {
             "random within them, or near a solution of a random target");
   io.number("near_deg", study.near, base::degree, {0, 360},
             "with start = \"near\": largest distance of each joint that turns from that solution");
-  io.whole("population", study.population, population_range, "candidates per iteration; a solver can override it",
-           base::InKey::in_text);
-  io.whole("runs", study.runs, {1, 1'000'000}, "independent repetitions", base::InKey::no);
-  io.whole("turns", study.turns, {1, 1000},
-           "sessions in which all solvers do their share of the runs or targets, with new processes and another order: "
-           "times are compared over them, from 4 on; at most one for each run or target",
-           base::InKey::no);
+  io.whole("population", study.population, population_range,
+           {"candidates per iteration; a solver can override it", base::InKey::in_text});
+  io.whole("runs", study.runs, {1, 1'000'000}, {"independent repetitions", base::InKey::no});
+  io.whole(
+      "turns", study.turns, {1, 1000},
+      {"sessions in which all solvers do their share of the runs or targets, with new processes and another order: "
+       "times are compared over them, from 4 on; at most one for each run or target",
+       base::InKey::no});
   io.choice("state", study.state, names_of(study.state),
             "which call on a target is timed where solves do not start from the one before: the first, after other "
             "solvers' work; hot: the second");
-  io.whole("seed", study.seed, {0, base::no_limit}, "seed of all random numbers", base::InKey::in_text);
+  io.whole("seed", study.seed, {0, base::no_limit}, {"seed of all random numbers", base::InKey::in_text});
 }
 
 StudyDefinition parse_definition(std::string_view json) {

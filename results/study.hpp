@@ -180,7 +180,7 @@ struct StudySpec {
 };
 
 constexpr std::pair<std::int64_t, std::int64_t> population_range{1, 100'000};
-constexpr std::size_t most_solvers = 400;  // per study, because its report has all pairs
+constexpr std::size_t max_solvers = 400;  // per study, because its report has all pairs
 
 // Lists the fields once: name, member, range, meaning, and whether each decides a number of a solve. Readers and
 // writers of study files and of the store follow this list, and so does the key of a series. A new option of a study is

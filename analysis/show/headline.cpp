@@ -117,7 +117,7 @@ using Ratios = std::vector<std::pair<std::string, double>>;  // by solver
 // Returns "; B takes 3 times as long, C 4 times"; of many solvers "; 6 others take 2 to 10 times as long".
 std::string ratios_text(const Ratios& ratios, const TieBreakerWords& words, const std::string& reference) {
   if (ratios.empty()) return "";
-  if (ratios.size() < most_named) {
+  if (ratios.size() < max_named) {
     Names texts;
     for (const auto& [name, ratio] : ratios)
       texts.push_back(
@@ -243,7 +243,7 @@ class QuestionTeller {
     return fmt::format("{}, {} ({})", text, lower_counts(std::move(others)), difference_text(statement.kind));
   }
   std::string lower_counts(Names names) {
-    if (names.size() <= most_named) {
+    if (names.size() <= max_named) {
       for (std::string& name : names) name += ' ' + number(name);
       return fmt::format("{}", fmt::join(names, ", "));
     }

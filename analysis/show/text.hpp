@@ -9,7 +9,7 @@
 
 namespace ikbench::show {
 
-using base::character_count, base::listed, base::most_named, base::names_of, base::one_line, base::shortened;
+using base::character_count, base::listed, base::max_named, base::names_of, base::one_line, base::shortened;
 
 std::string html_text(std::string_view text);
 std::string markdown_text(std::string_view text);

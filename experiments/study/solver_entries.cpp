@@ -111,8 +111,8 @@ void read_setting(const TomlReader& settings, SolverEntry& entry, Axes& axes, co
                   const toml::node& node) {
   const toml::array* const list = node.as_array();
   if (list == nullptr) return set_setting(entry, setting, value_in(settings, entry, setting, node));
-  if (list->empty() || list->size() > most_solvers)
-    settings.fail(setting, node, fmt::format("a list of 1 to {} values", most_solvers));
+  if (list->empty() || list->size() > max_solvers)
+    settings.fail(setting, node, fmt::format("a list of 1 to {} values", max_solvers));
   std::vector<Setting> values;
   for (const toml::node& element : *list) {
     values.push_back(value_in(settings, entry, setting, element));
@@ -121,7 +121,7 @@ void read_setting(const TomlReader& settings, SolverEntry& entry, Axes& axes, co
   axes[setting] = std::move(values);
 }
 
-const std::string too_many_solvers = fmt::format("more than {0} solvers; expected at most {0}", most_solvers);
+const std::string too_many_solvers = fmt::format("more than {0} solvers; expected at most {0}", max_solvers);
 
 // Returns one entry per combination of the values; the last setting varies fastest. Returns the entry itself if nothing
 // is swept.
@@ -134,7 +134,7 @@ std::vector<SolverEntry> combinations(const TomlReader& reader, const SolverEntr
   std::vector<SolverEntry> entries{entry};
   if (!axes.empty()) entries.front().sweep_base = entry.label;
   for (const auto& [setting, values] : axes) {
-    refuse_if(entries.size() * values.size() > most_solvers, too_many_solvers);
+    refuse_if(entries.size() * values.size() > max_solvers, too_many_solvers);
     std::vector<SolverEntry> longer;
     for (const SolverEntry& shorter : entries) {
       for (const Setting& value : values) {
@@ -226,7 +226,7 @@ std::shared_ptr<const Program> read_program(TomlReader& reader, bool is_of_entry
 void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
   constexpr std::string_view key = "solvers", expected = "1 to 400 tables [[solvers]] with solver = \"...\"";
   std::set<std::string> labels;
-  for (const toml::table* const table : reader.tables(key, most_solvers, expected)) {
+  for (const toml::table* const table : reader.tables(key, max_solvers, expected)) {
     std::vector<SolverEntry> entries;
     try {
       entries = read_entry(reader.nested(*table, "solvers."));
@@ -240,7 +240,7 @@ void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
                         reader.where(table->source(), key), entry.label));
       }
       check_entry(reader, reader.nested(*table, entry.label + "."), entry, study, arm);
-      if (study.solvers.size() == most_solvers) throw reader.mistake(key, "the entries make " + too_many_solvers);
+      if (study.solvers.size() == max_solvers) throw reader.mistake(key, "the entries make " + too_many_solvers);
       study.solvers.push_back(std::move(entry));
     }
   }

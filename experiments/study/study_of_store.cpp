@@ -132,7 +132,7 @@ std::vector<std::vector<std::string>> programs_of(const StoredStudy& stored) {
   const toml::table definition = toml_of(parsed_json(stored.definition.json));
   if (!definition.contains("solvers")) return {programs.begin(), programs.end()};
   TomlReader reader(definition, fmt::format("study {}", stored.name), "");
-  for (const toml::table* const entry : reader.tables("solvers", most_solvers, "a list of solvers")) {
+  for (const toml::table* const entry : reader.tables("solvers", max_solvers, "a list of solvers")) {
     std::vector<std::string> process;
     reader.nested(*entry, "solvers.").texts("process", process, "");
     if (!process.empty()) programs.insert(process);

@@ -11,8 +11,8 @@ std::string nested(std::size_t levels) { return std::string(levels, '[') + std::
 }  // namespace
 
 TEST_CASE("JSON that is nested too deep to be copied is not read", "[json]") {
-  CHECK_FALSE(parsed_json(nested(deepest_json)).is_discarded());
-  CHECK(parsed_json(nested(deepest_json + 1)).is_discarded());
+  CHECK_FALSE(parsed_json(nested(max_json_depth)).is_discarded());
+  CHECK(parsed_json(nested(max_json_depth + 1)).is_discarded());
   CHECK(parsed_json(nested(1'000'000)).is_discarded());
   CHECK(parsed_json(R"([{"a":)" + nested(1'000'000) + "}]").is_discarded());
   CHECK(parsed_ordered_json(R"({"b":1,"a":)" + nested(1'000'000) + "}").is_discarded());

@@ -233,12 +233,12 @@ class CsvPath final : public Poses {
   void list_fields(Fields& io) override {
     io.text(
         "file", file_,
-        "beside the study, or a full path. Columns: x, y, z in _m, _cm or _mm; then qw, qx, qy, qz, or roll, pitch, yaw in _deg or "
-        "_rad; without these the tool points straight down. Or, without a header, the 12 or 16 numbers of a matrix",
-        InKey::no);
-    io.texts("columns", columns_,
-             "names in place of the header's, \"\" for what is no part of a pose: [\"\", \"x\", \"y\", \"z\"]",
-             InKey::no);
+        {"beside the study, or a full path. Columns: x, y, z in _m, _cm or _mm; then qw, qx, qy, qz, or roll, pitch, yaw in _deg or "
+         "_rad; without these the tool points straight down. Or, without a header, the 12 or 16 numbers of a matrix",
+         InKey::no});
+    io.texts(
+        "columns", columns_,
+        {"names in place of the header's, \"\" for what is no part of a pose: [\"\", \"x\", \"y\", \"z\"]", InKey::no});
   }
 
   // Throws std::invalid_argument if lengths in cm or mm seem to be taken for metres.

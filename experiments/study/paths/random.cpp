@@ -118,8 +118,8 @@ class RandomTargets final : public TargetSet {
 
   void list_fields(Fields& io) override {
     io.whole("points", points_, point_count_range,
-             "each is the tool's pose at joint angles drawn uniformly within the limits from seed and run",
-             InKey::in_text);
+             {"each is the tool's pose at joint angles drawn uniformly within the limits from seed and run",
+              InKey::in_text});
     io.choice(
         "set", set_, {"anywhere", "near_limits", "near_singular", "edge", "unreachable"},
         "which of them. near_limits: each joint within 5 % of a limit; near_singular: Yoshikawa's manipulability "
