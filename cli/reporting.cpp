@@ -42,9 +42,11 @@ using figures::is_meant;
 void refuse_unknown_figures(const std::vector<std::string>& names) {
   std::vector<std::string> known;
   for (const auto& [name, meaning] : show::figure_list()) known.push_back(name);
-  for (const std::string& name : names) {
-    const auto is_named = [&](const auto& figure) { return is_meant(figure, name) || is_meant(name, figure); };
-    if (std::ranges::none_of(known, is_named)) throw std::invalid_argument(unknown_name("figure", name, known));
+  for (const std::string& wanted : names) {
+    const auto is_wanted = [&](const std::string& listed) {
+      return is_meant(listed, wanted) || is_meant(wanted, listed);
+    };
+    if (std::ranges::none_of(known, is_wanted)) throw std::invalid_argument(unknown_name("figure", wanted, known));
   }
 }
 
