@@ -148,7 +148,8 @@ SolveRunner::TimedSolve SolveRunner::solve_timed(Solver& solver, const SolveRequ
   try {
     const bool has_failed = program != nullptr && program->report().failure;  // a failure in the warm-up
     const auto started = has_failed ? prepared : std::chrono::steady_clock::now();
-    timed.solution = solvers::solve(solver, problem, objective, random, study_.stop, study_.trace);
+    const auto solve_by = study_.trace == Trace::none ? &solvers::solve : &solvers::solve_traced;
+    timed.solution = solve_by(solver, problem, objective, random, study_.stop);
     timed.answer = task_.with_wrist(timed.solution.best.q, target, start);
     timed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     if (batch() > 0) timed.seconds = program->report().seconds;

@@ -14,7 +14,8 @@ struct SinCosLanes {
   Reals sine, cosine;
 };
 
-// For |r| <= pi/4, within 1 ulp. The coefficients are those of fdlibm's kernels (Sun Microsystems 1993).
+// Returns sine and cosine for |r| <= pi/4, within 1 ulp. The coefficients are those of fdlibm's kernels (Sun
+// Microsystems 1993).
 IKBENCH_LANES SinCosLanes sin_cos_of_eighth(Reals r) {
   const Reals z = r * r;
   Reals s = fused(z, all(1.58969099521155010221e-10), all(-2.50507602534068634195e-08));
@@ -39,8 +40,8 @@ IKBENCH_LANES Reals nearest_turn(Reals angle) {
   return fused(angle, all(0x1.45f306dc9c883p-1), all(to_integer));  // 2/pi
 }
 
-// Within 1.5 ulp and 1.6e-33 per quarter turn (pi/2 in two parts leaves out so much), for less than 2^51 quarter turns.
-// Beyond, the numbers are arbitrary, and `angle_refused` says so.
+// Returns sine and cosine within 1.5 ulp and 1.6e-33 per quarter turn (pi/2 in two parts leaves out so much), for less
+// than 2^51 quarter turns. Beyond, the numbers are arbitrary, and `angle_refused` says so.
 IKBENCH_LANES Turned sin_cos(Reals angle) {
   const Reals nearest = nearest_turn(angle);
   const Bits quarter = bits(nearest);
@@ -60,7 +61,8 @@ IKBENCH_LANES Turned sin_cos(Reals angle) {
 IKBENCH_LANES Bits turned_too_far(Bits turns) { return turns ^ 0x4330000000000000u; }
 IKBENCH_LANES Bits angle_refused(Bits too_far) { return where_any(too_far, 0xfff0000000000000u); }
 
-// Natural logarithm of a number in [2^-1000, 2^1000], within 2.5 ulp. Coefficients of fdlibm (Sun Microsystems 1993).
+// Returns the natural logarithm of a number in [2^-1000, 2^1000], within 2.5 ulp. The coefficients are those of fdlibm
+// (Sun Microsystems 1993).
 IKBENCH_LANES Reals logarithm(Reals x) {
   constexpr uint64_t root_half = 0x3fe6a09e00000000u, bias = 1024, mantissa = 0x000fffffffffffffu;
   const Bits above = bits(x) + ((bias << 52) - root_half);

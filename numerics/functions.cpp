@@ -19,17 +19,37 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// Requires -1022 <= k <= 1023.
+// Returns 2^k. Requires -1022 <= k <= 1023.
 double two_to_the(std::int64_t k) { return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + k) << 52); }
+
+// Returns the smaller of two numbers >= 0, divided by the larger: 0 for two zeros, 1 for two infinities.
+double ratio_of(double a, double b) {
+  if (a == b) return a == 0 ? 0.0 : 1.0;
+  return a > b ? b / a : a / b;
+}
+
+// A point about which the arc tangent is expanded.
+struct Centre {
+  double tangent;
+  double high, low;  // the arc tangent in two parts
+};
+
+// Returns the nearest of 0, 1/2 and 1 for a ratio in [0, 1].
+const Centre& centre_near(double ratio) {
+  static constexpr Centre centres[]{
+      {0, 0, 0}, {0.5, 0x1.dac670561bb4fp-2, 0x1.a2b7f222f65e2p-56}, {1, std::numbers::pi / 4, 0x1.1a62633145c07p-55}};
+  if (ratio < 0.25) return centres[0];
+  return centres[ratio < 0.75 ? 1 : 2];
+}
 
 }  // namespace
 
 IKBENCH_DEFINE_KERNELS
 
 SinCos sin_cos(double angle) {
-  SinCos of;
-  kernels().sines_and_cosines(&angle, 1, &of.sine, &of.cosine);
-  return of;
+  SinCos result;
+  kernels().sines_and_cosines(&angle, 1, &result.sine, &result.cosine);
+  return result;
 }
 
 void sines_and_cosines(const Eigen::Ref<const Eigen::VectorXd>& angles, Eigen::Ref<Eigen::VectorXd> sines,
@@ -41,14 +61,8 @@ double arc_tangent(double y, double x) {
   if (std::isnan(x) || std::isnan(y)) return not_a_number;
   const double up = std::abs(y), along = std::abs(x);
   const bool steep = up > along;
-  // The ratio's arc tangent, expanded about the nearest of 0, 1/2 and 1. (inf, inf) has the angle of (1, 1).
-  const double ratio = up == along ? (up == 0 ? 0.0 : 1.0) : steep ? along / up : up / along;
-  struct Centre {
-    double tangent, high, low;  // arc tangent in two parts
-  };
-  constexpr Centre centres[]{
-      {0, 0, 0}, {0.5, 0x1.dac670561bb4fp-2, 0x1.a2b7f222f65e2p-56}, {1, std::numbers::pi / 4, 0x1.1a62633145c07p-55}};
-  const Centre& centre = centres[ratio < 0.25 ? 0 : ratio < 0.75 ? 1 : 2];
+  const double ratio = ratio_of(up, along);
+  const Centre& centre = centre_near(ratio);
   const double t = (ratio - centre.tangent) / (1 + ratio * centre.tangent);  // |t| <= 1/4
   const double z = t * t;
   double sum = 0;  // Gregory's series; the first term left out is below 2e-17 of the first

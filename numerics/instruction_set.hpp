@@ -12,12 +12,12 @@ enum class InstructionSet {
   x86_64_v4,  // AVX-512
 };
 
-// "x86-64" ("portable" on other processors), "x86-64-v3", "x86-64-v4".
+// Returns "x86-64" ("portable" on other processors), "x86-64-v3" or "x86-64-v4".
 std::string_view name_of(InstructionSet set);
-// The sets that this machine runs, the slowest first.
+// Returns the instruction sets that this machine runs, the slowest first.
 std::vector<InstructionSet> instruction_sets();
-// The fastest of them, or the one that the environment variable IKBENCH_INSTRUCTION_SET names; std::invalid_argument if
-// it names none of them.
+// Returns the instruction set in use: the fastest one, or the one that the environment variable IKBENCH_INSTRUCTION_SET
+// names. Throws std::invalid_argument if this machine does not run a set of that name.
 InstructionSet instruction_set();
 
 // Defines, in a folder's namespace, kernels(InstructionSet) and kernels(): its table of kernels for a set that this

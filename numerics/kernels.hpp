@@ -31,10 +31,11 @@ struct RandomState {
   uint64_t words[4][random_lanes];
 };
 
+// The kernels of one instruction set.
 struct Kernels {
-  // Gives NaN for an angle that is infinite, NaN or 2^51 quarter turns or more.
+  // Writes NaN for an angle that is infinite, NaN or 2^51 quarter turns or more.
   void (*sines_and_cosines)(const double* angles, ptrdiff_t count, double* sines, double* cosines);
-  // Each fills `count` numbers from whole blocks of eight and drops the rest of the last block.
+  // Each of these three writes `count` numbers, made of whole blocks of eight, and drops the rest of the last block.
   void (*uniforms)(RandomState& state, double* out, ptrdiff_t count);           // [0, 1), 52 bits
   void (*normals)(RandomState& state, double* out, ptrdiff_t count);            // sixteen from two blocks
   void (*truncated_normals)(RandomState& state, double* out, ptrdiff_t count);  // standard normal within [-1, 1]

@@ -1,5 +1,5 @@
 // Random numbers, the same on every machine: xoshiro256++ (Blackman and Vigna 2019) in eight interleaved lanes, seeded
-// by splitmix64 from a key. A stream is a pure function of its key. Distributions are our own, since those of std
+// by splitmix64 from a key. A stream is a pure function of its key. Distributions are our own, because those of std
 // differ between libraries.
 #pragma once
 
@@ -25,20 +25,21 @@ class Key {
   std::uint64_t value_;
 };
 
+// A stream of random numbers.
 class Random {
  public:
   explicit Random(Key key);
-  // NumPy's numbers after np.random.seed(seed) without so many of the first: MT19937, whose pairs make 53 bits
-  // (Matsumoto and Nishimura 1998). One by one: it does not fill.
+  // Makes a stream of NumPy's numbers after np.random.seed(seed), without the first `skipped`: MT19937, whose pairs
+  // make 53 bits (Matsumoto and Nishimura 1998). This stream gives single numbers only and fills no vectors.
   static Random of_numpy(std::uint32_t seed, std::uint64_t skipped);
 
   double uniform();                        // [0, 1), 52 bits
   double uniform(double from, double to);  // [from, to)
   int index(int count);                    // 0 ... count - 1
 
-  // Fill a vector or Candidates (row by row) with numbers in [0, 1), with standard normal ones (Box and Muller 1958),
-  // and with standard normal ones within [-1, 1]. They take whole blocks of eight and leave the block of single draws
-  // alone.
+  // These three fill a vector or Candidates, row by row: with numbers in [0, 1), with standard normal numbers (Box and
+  // Muller 1958), and with standard normal numbers within [-1, 1]. They take whole blocks of eight, and do not touch
+  // the block from which single numbers are drawn.
   template <class Numbers>
   void uniforms(Eigen::PlainObjectBase<Numbers>& out) {
     kernels_.uniforms(state_, out.data(), out.size());

@@ -13,13 +13,13 @@
 namespace ikbench::robots {
 
 constexpr std::string_view no_limits = "none";
-// Bounds of what people write: 400 m are millimetres. The table that is made of a URDF file may be longer.
+// Bounds of numbers that people write: 400 m would be millimetres. A table that is made of a URDF file may be longer.
 constexpr std::pair<double, double> lengths_m{-100, 100}, stored_lengths_m{-1e6, 1e6}, angles_deg{-3600, 3600};
 
-// A link in a file, with its joint's limits: [rad], or [m] if it slides; infinite if it has none.
+// A link in a file, with the limits of its joint.
 struct LimitedLink {
   DhLink link;
-  Eigen::Vector2d limits{-180 * base::degree, 180 * base::degree};
+  Eigen::Vector2d limits{-180 * base::degree, 180 * base::degree};  // [rad], or [m]; infinite: continuous joint
   std::pair<double, double> lengths = lengths_m;
   bool has_beta = true;  // false leaves out a beta of 0
 };

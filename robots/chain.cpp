@@ -48,8 +48,8 @@ Chain::Chain(std::vector<DhLink> links, Frame base, Frame tool)
       T_last_tool_(tool_.pose()),
       has_base_(base_ != Frame()),
       tool_is_turned_(!tool_.rpy.isZero(0)) {
-  if (links_.size() > most_joints) {
-    throw std::invalid_argument(fmt::format("the arm has {} joints; expected at most {}", links_.size(), most_joints));
+  if (links_.size() > max_joints) {
+    throw std::invalid_argument(fmt::format("the arm has {} joints; expected at most {}", links_.size(), max_joints));
   }
   for (const DhLink& link : links_) {
     const SinCos alpha = sin_cos(link.alpha), beta = sin_cos(link.beta);
@@ -99,7 +99,7 @@ Pose Chain::follow_kind(const ConfigurationRef& q, Visit& visit) const {
   }
   sines_and_cosines(angles, sines, cosines);
 
-  // Vectors of their own, as a compiler keeps them in registers.
+  // Separate vectors, because a compiler keeps them in registers.
   Eigen::Vector3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), p(0, 0, 0);
   [[maybe_unused]] Eigen::Vector3d run = Eigen::Vector3d::Zero();  // the sum of coupled links in a row
   const auto moved = [&](const Eigen::Vector3d& by) -> Eigen::Vector3d {
@@ -156,7 +156,7 @@ Pose Chain::whole(Pose T) const {
 }
 
 Eigen::Vector3d Chain::position_jacobian(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) const {
-  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, most_joints> axes(3, joints());
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, max_joints> axes(3, joints());
   const Eigen::Vector3d tool = follow_motions(q, jacobian, axes).translation();
   return has_base_ ? T_base_first_ * tool : tool;
 }
@@ -167,7 +167,7 @@ Pose Chain::pose_jacobian(const ConfigurationRef& q, Eigen::Ref<Matrix6Xd> jacob
 
 Pose Chain::follow_motions(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> motions,
                            Eigen::Ref<Eigen::Matrix3Xd> axes) const {
-  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, most_joints> origins(3, joints());
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, max_joints> origins(3, joints());
   const auto column = [&](int j, const Eigen::Vector3d& x, const Eigen::Vector3d& z, const Eigen::Vector3d& p,
                           const Eigen::Vector3d* coupled) {
     axes.col(j) = z;
@@ -192,7 +192,7 @@ void Chain::position_errors(const CandidatesRef& q, const Eigen::Vector3d& targe
                             Eigen::Ref<Eigen::VectorXd> errors) const {
   check_sizes(q, errors);
   const Eigen::Vector3d seen = has_base_ ? T_first_base_ * target : target;
-  kernels().position_errors(kernel_chain(), {seen.data()}, q.data(), q.outerStride(), q.cols(), errors.data());
+  kernels().position_errors(kernel_chain(), {seen.data()}, {q.data(), q.outerStride(), q.cols()}, errors.data());
 }
 
 void Chain::pose_errors(const CandidatesRef& q, const Pose& target, double rotation_weight,
@@ -209,7 +209,7 @@ void Chain::pose_errors(const CandidatesRef& q, const Pose& target, double rotat
   const Eigen::Matrix<double, 3, 2> of_tool = tool_is_turned_ ? T_last_tool_.linear() * points : points;
   copy(of_tool.col(0), goal.tool_axes.x);
   copy(of_tool.col(1), goal.tool_axes.y);
-  kernels().pose_errors(kernel_chain(), goal, q.data(), q.outerStride(), q.cols(), errors.data());
+  kernels().pose_errors(kernel_chain(), goal, {q.data(), q.outerStride(), q.cols()}, errors.data());
 }
 
 void Chain::check_sizes(const CandidatesRef& q, const Eigen::Ref<Eigen::VectorXd>& errors) const {
@@ -228,8 +228,8 @@ std::vector<double> Chain::points_on_axes(Start start) const {
   if (start == Start::frames && links_.front().joint == Joint::turns) at.front() = links_.front().d;
   for (std::size_t j = 1; start == Start::nearest && j < at.size(); ++j) at[j] = before(j, at[j - 1]).along;
   if (!all_turn_) return at;
-  constexpr int most_sweeps = 200;
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+  constexpr int max_sweeps = 200;
+  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
     double moved = 0;
     for (std::size_t j = 0; j < at.size(); ++j) {
       const Seen next = after(j, j + 1 < at.size() ? at[j + 1] : 0);
@@ -267,14 +267,14 @@ Chain::Seen Chain::before(std::size_t joint, double along_last) const {
           length(link.lean_cosine * link.a + link.lean_sine * along, link.sine * d)};
 }
 
-Chain::Ball Chain::ball_through(const std::vector<double>& at) const {
+Chain::Ball Chain::ball_through(const std::vector<double>& points) const {
   Ball ball{Eigen::Vector3d::Zero(), all_turn_ ? 0 : tool_.position.norm()};
   for (std::size_t j = 0; j < links_.size(); ++j) {
     if (links_[j].joint == Joint::slides) ball.radius = std::numeric_limits<double>::infinity();
-    const Seen next = after(j, j + 1 < links_.size() ? at[j + 1] : 0);
-    ball.radius += length(next.along - at[j], next.beside);
+    const Seen next = after(j, j + 1 < links_.size() ? points[j + 1] : 0);
+    ball.radius += length(next.along - points[j], next.beside);
   }
-  ball.centre.z() = at.front();
+  ball.centre.z() = points.front();
   ball.centre = T_base_first_ * ball.centre;
   return ball;
 }
@@ -283,7 +283,7 @@ Chain::Ball Chain::reach() const {
   const Ball ball = ball_through(points_on_axes(Start::frames));
   if (!all_turn_) return ball;
   const Ball other = ball_through(points_on_axes(Start::nearest));
-  return other.radius < 0.995 * ball.radius ? other : ball;  // else bits would change for nothing
+  return other.radius < 0.995 * ball.radius ? other : ball;  // a small gain is not worth new bits
 }
 
 std::string Chain::definition() const {

@@ -18,11 +18,12 @@ using Matrix6Xd = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 // Candidates as columns, joint-contiguous: row j holds joint j of every candidate.
 using Candidates = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using CandidatesRef = Eigen::Ref<const Candidates, 0, Eigen::OuterStride<>>;
-// One configuration, one element per joint; it takes no memory from the heap.
-using Configuration = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_joints, 1>;
-// Refers without a copy to a Configuration, another vector, or a column of Candidates.
+// A configuration, with one element per joint. It takes no memory from the heap.
+using Configuration = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_joints, 1>;
+// A reference, without a copy, to a Configuration, another vector, or a column of Candidates.
 using ConfigurationRef = Eigen::Ref<const Eigen::VectorXd, 0, Eigen::InnerStride<>>;
 
+// A row of a Denavit-Hartenberg table.
 struct DhLink {
   double a = 0;       // [m] along x
   double alpha = 0;   // [rad] about x
@@ -43,10 +44,11 @@ struct Frame {
   bool operator==(const Frame&) const = default;
 };
 
+// A serial chain with its forward kinematics, its Jacobians and the errors of candidates. Immutable.
 class Chain {
  public:
-  // There is one link at least. `base` is the frame of the first joint; `tool` is the tool's frame relative to the last
-  // link. Throws std::invalid_argument for more than 64 links.
+  // Makes a chain of at least one link. `base` is the frame of the first joint, and `tool` the tool's frame relative to
+  // the last link. Throws std::invalid_argument for more than 64 links.
   Chain(std::vector<DhLink> links, Frame base, Frame tool);
   explicit Chain(std::vector<DhLink> links, const Eigen::Vector3d& tip = Eigen::Vector3d::Zero())
       : Chain(std::move(links), Frame(), Frame{.position = tip}) {}
@@ -60,40 +62,41 @@ class Chain {
 
   int joints() const { return static_cast<int>(links_.size()); }
   bool slides(Eigen::Index joint) const { return links_[static_cast<std::size_t>(joint)].joint == Joint::slides; }
-  // T_base_tool: the product of the link transforms, Eqs. 18 and 26.
+  // Returns T_base_tool, the product of the link transforms, Eqs. 18 and 26.
   Pose forward(const ConfigurationRef& q) const;
-  // The tool's position alone: forward(q).translation().
+  // Returns the tool's position [m].
   Eigen::Vector3d position(const ConfigurationRef& q) const { return forward(q).translation(); }
   // Returns the tool's position and writes d position / d q into `jacobian`, 3 x joints.
   Eigen::Vector3d position_jacobian(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) const;
-  // Returns the tool's pose and writes the geometric Jacobian, 6 x joints: the upper three rows are the motion of the
-  // position [m], the lower three that of the orientation [rad], in the axes of the base.
+  // Returns the tool's pose and writes the geometric Jacobian, 6 x joints, in the axes of the base: the upper three
+  // rows are the motion of the position [m], and the lower three that of the orientation [rad].
   Pose pose_jacobian(const ConfigurationRef& q, Eigen::Ref<Matrix6Xd> jacobian) const;
-  // Distance of each candidate's tool point to the target, Eq. 1; `errors` has one element per candidate. An error is
-  // not finite if a joint or the target is not, or if an angle is 2^51 quarter turns (3.5e15 rad) or more.
+  // Writes the distance [m] of each candidate's tool point from the target, Eq. 1; `errors` has one element per
+  // candidate. An error is not finite if a joint or the target is not, or if an angle is 2^51 quarter turns (3.5e15
+  // rad) or more.
   void position_errors(const CandidatesRef& q, const Eigen::Vector3d& target, Eigen::Ref<Eigen::VectorXd> errors) const;
-  // Distance of each candidate's tool from a pose: the root mean square [m] of the distances of three points of the
-  // tool from their places in the pose. The points are its own and those `rotation_weight` [m] along its x and y axes.
-  // It is smooth except at 0, which only the pose itself has. Not finite in the same cases as position_errors. Of an
-  // axis, where the turn about the tool's z axis does not matter, the points are its own and those along z, both ways.
+  // Writes the distance of each candidate's tool from a pose: the root mean square [m] of the distances of three points
+  // of the tool from their places in the pose. The points are the tool's own and those `rotation_weight` [m] along its
+  // x and y axes. If `is_of_axis`, the turn about the tool's z axis does not matter, and the points are the tool's own
+  // and those along z, both ways. The distance is smooth except at 0, which only the pose itself has. An error is not
+  // finite in the same cases as those of position_errors.
   void pose_errors(const CandidatesRef& q, const Pose& target, double rotation_weight,
                    Eigen::Ref<Eigen::VectorXd> errors, bool is_of_axis = false) const;
-  // A ball that contains every reachable tool point. Its centre, the shoulder, is a point of the first joint's axis.
-  // Its radius is the sum of the lengths between points of successive axes, which no joint changes; infinite if a joint
-  // slides.
+  // A ball that contains every reachable tool point.
   struct Ball {
-    Eigen::Vector3d centre;
-    double radius;
+    Eigen::Vector3d centre;  // the shoulder, a point of the first joint's axis
+    double radius;           // [m]; infinite: a joint is prismatic
   };
+  // Returns a ball whose radius is the sum of the lengths between points of successive axes, which no joint changes.
   Ball reach() const;
-  // Everything that decides its positions, each number with all its digits: arms with equal definitions are the same
-  // arm.
+  // Returns everything that decides the positions of the arm as text, each number with all its digits. Arms with equal
+  // definitions are the same arm.
   std::string definition() const;
 
  private:
   // Follows the frames from the first joint to the tool, without the tool's own turn. `visit` gets each joint's number
-  // and its frame's x, z and place before it moves; for a coupled link also the way from its joint to its end, in that
-  // frame, else null.
+  // and the x, z and place of its frame before the joint moves. For a coupled link it also gets the way from the joint
+  // to the end of the link, in that frame; otherwise null.
   template <class Visit>
   Pose follow(const ConfigurationRef& q, Visit&& visit) const;
   // Turns the pose that `follow` gives into the tool's pose in the frame of the base.
@@ -104,18 +107,20 @@ class Chain {
                       Eigen::Ref<Eigen::Matrix3Xd> axes) const;
   void check_sizes(const CandidatesRef& q, const Eigen::Ref<Eigen::VectorXd>& errors) const;
   KernelChain kernel_chain() const;
-  // A point seen from an axis: its distances along and beside it.
+  // A point seen from an axis: its distances [m] along the axis and beside the axis.
   struct Seen {
     double along, beside;
   };
-  // The point on the next axis (or the tool), seen from a joint's axis.
+  // Returns the point on the next axis (or the tool), seen from a joint's axis.
   Seen after(std::size_t joint, double along_next) const;
-  // The point on the axis before, seen from a joint's axis.
+  // Returns the point on the axis before, seen from a joint's axis.
   Seen before(std::size_t joint, double along_last) const;
-  // A point on each axis, as a distance from its joint's frame, such that the sum of the lengths between them is small:
-  // moved from the frames of the table, which are far away if axes are nearly parallel; or from the points that are
-  // each nearest to the one before.
+  // The points that `points_on_axes` begins with.
+  // frames: the frames of the table, which are far away if axes are nearly parallel.
+  // nearest: on each axis the point that is nearest to the one before.
   enum class Start { frames, nearest };
+  // Returns a point on each axis, as a distance [m] from its joint's frame, such that the sum of the lengths between
+  // the points is small.
   std::vector<double> points_on_axes(Start start) const;
   Ball ball_through(const std::vector<double>& points) const;
   enum class Kind { all_turn, any };

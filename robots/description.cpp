@@ -23,13 +23,13 @@ constexpr double almost_parallel = 0.05;  // the sine below which two axes have 
 
 double meant_length(double length) { return std::abs(length) < tiny ? 0 : length; }
 
-// The nearest multiple of 15 degrees, if it is that but for rounding.
+// Returns the nearest multiple of 15 degrees if the angle differs from it by rounding only; otherwise the angle.
 double meant_angle(double angle) {
   const double multiple = std::round(angle / (15 * degree)) * 15 * degree;
   return std::abs(angle - multiple) < tiny ? multiple : angle;
 }
 
-// Meant, and one that a file in degrees can say, so that a stored arm is the same to the bit.
+// Returns the meant angle as a file in degrees can have it, so that a stored arm is the same bit for bit.
 double angle_in_files(double angle) { return in_unit(meant_angle(angle), degree) * degree; }
 
 Eigen::Matrix3d turned_about(const Eigen::Vector3d& axis, double angle) {
@@ -45,7 +45,7 @@ struct Axis {
   Motion motion;
 };
 
-// The first frame: its z is along the first axis, its origin the axis' point nearest the base.
+// Returns the first frame: z is along the first axis, and the origin is the point of the axis that is nearest the base.
 Pose first_frame(const Axis& first) {
   const Eigen::Vector3d z = first.direction;
   const Eigen::Vector3d across = std::abs(z.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ();
@@ -57,9 +57,9 @@ Pose first_frame(const Axis& first) {
   return frame;
 }
 
-// The link from a frame, whose z is its joint's axis, to an axis almost parallel to it. The common normal of the two is
-// far away, and where it is hangs on the last digits; so this link goes straight to the point of the axis, and turns
-// about x and then about y.
+// Returns the link from a frame, whose z is its joint's axis, to an axis that is almost parallel. The common normal of
+// the two is far away, at a place that hangs on the last digits. So this link goes straight to the point of the axis,
+// and turns about x and then about y.
 DhLink leaning_link_to(const Axis& next, const Eigen::Vector3d& way, const Eigen::Matrix3d& axes) {
   const Eigen::Vector3d x = axes.col(0), y = axes.col(1), z = axes.col(2), beside = way - dot(z, way) * z;
   DhLink link{.a = meant_length(beside.norm()), .d = meant_length(dot(way, z))};
@@ -73,8 +73,8 @@ DhLink leaning_link_to(const Axis& next, const Eigen::Vector3d& way, const Eigen
   return link;
 }
 
-// The link from a frame, whose z is its joint's axis, to the next axis along the common normal. The normal points along
-// the frame's x if possible.
+// Returns the link from a frame, whose z is its joint's axis, to the next axis along the common normal. The normal
+// points along the frame's x if possible.
 DhLink link_to(const Axis& next, const Pose& frame) {
   const Eigen::Vector3d x = frame.linear().col(0), y = frame.linear().col(1), z = frame.linear().col(2);
   const Eigen::Vector3d way = next.point - frame.translation(), cross = z.cross(next.direction);
@@ -136,9 +136,9 @@ Chain chain_of(const Description& description) {
     if (joint.motion != Motion::none)
       axes.push_back({pose.translation(), (pose.linear() * joint.axis).normalized(), joint.motion});
   }
-  if (axes.empty() || axes.size() > most_joints)
+  if (axes.empty() || axes.size() > max_joints)
     throw std::invalid_argument(
-        fmt::format("{} joints move between base and tip; expected 1 to {}", axes.size(), most_joints));
+        fmt::format("{} joints move between base and tip; expected 1 to {}", axes.size(), max_joints));
   const Frame base = frame_of(first_frame(axes.front()));
   Pose frame = base.pose();
   std::vector<DhLink> links;

@@ -1,5 +1,5 @@
-// An arm as in a robot description: joints with an origin and an axis each, in any direction. And the chain in
-// Denavit-Hartenberg form that is the same arm.
+// Robot descriptions, as URDF files have them: joints with an origin and an axis each, in any direction. `chain_of`
+// makes the chain in Denavit-Hartenberg form, by which every solver computes.
 #pragma once
 
 #include <string>
@@ -10,29 +10,31 @@
 
 namespace ikbench::robots {
 
+// A joint of a description.
 struct DescribedJoint {
-  enum class Motion { none, turns, slides };
+  enum class Motion { none, turns, slides };  // fixed; revolute or continuous; prismatic
 
   std::string name;
   Motion motion = Motion::none;
-  Frame origin;                                     // of the joint, in the frame of the previous joint
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // in its own frame, of length 1
+  Frame origin;                                     // the joint's frame, in that of the previous joint
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // in the joint's frame, of length 1
 };
 
 // The joints from the base to the tool; the last frame is the tool's.
 using Description = std::vector<DescribedJoint>;
 
-// Of the joints that move.
+// Returns the names of the joints that move.
 std::vector<std::string> joint_names(const Description& description);
 
-// A pose as a Frame. Numbers within 1e-14 of 0 or of a multiple of 15 degrees become exact.
+// Returns a pose as a Frame. Numbers within 1e-14 of 0 or of a multiple of 15 degrees become exact.
 Frame frame_of(const Pose& pose);
 
-// T_base_tool by the product of origins and of rotations about the axes; `q` has only the joints that move.
+// Returns T_base_tool, as the product of origins and of motions about or along the axes. `q` has only the joints that
+// move [rad, m].
 Pose pose_of(const Description& description, const ConfigurationRef& q);
 
-// The same arm, but for rounding: to 1e-12 m and rad for an arm of a few metres, also if axes are almost parallel.
-// Throws std::invalid_argument if no joint or more than 64 joints move.
+// Returns the arm of a description as a chain. Its poses differ by rounding only: by 1e-12 m and rad for an arm of a
+// few metres, also if axes are almost parallel. Throws std::invalid_argument if no joint or more than 64 joints move.
 Chain chain_of(const Description& description);
 
 }  // namespace ikbench::robots

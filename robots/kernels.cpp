@@ -50,7 +50,30 @@ IKBENCH_LANES void turn(Vector& v, const SinCosLanes& of) {
   v.y = fused(of.sine, x_before, of.cosine * v.y);
 }
 
-// `load(j)` gives joint j of the candidates in the lanes.
+// Moves a point by the sum over coupled links in a row, and empties the sum.
+IKBENCH_LANES void end_run(Vector& at, Reals& run_x, Reals& run_z) {
+  at.x = run_x + at.x;
+  at.z = run_z + at.z;
+  run_x = run_z = all(0);
+}
+
+template <Kind kind, class Goal>
+IKBENCH_LANES Reals squared_error(const Goal& goal, const Vector& at, [[maybe_unused]] const Vector& along_x,
+                                  [[maybe_unused]] const Vector& along_y) {
+  const Vector off = difference(at, goal.target);
+  if constexpr (is_pose<Goal>) {
+    const Vector off_x = sum(off, difference(along_x, goal.target_axes.x)),
+                 off_y = sum(off, difference(along_y, goal.target_axes.y));
+    return (squared(off) + squared(off_x) + squared(off_y)) * (1.0 / 3);
+  } else if constexpr (kind == Kind::any) {
+    // Without fused multiply-add, since the Dobot's solves in older stores have these bits.
+    return off.x * off.x + off.y * off.y + off.z * off.z;
+  } else {
+    return squared(off);  // Eq. 1
+  }
+}
+
+// Returns the error of the candidates in the lanes, of which `load(j)` gives joint j.
 template <Kind kind, class Goal, class Load>
 IKBENCH_LANES Reals distance(const KernelChain& chain, const Goal& goal, Load load) {
   // Carries one point from the tip to the base: a plane rotation per joint instead of a matrix product. For a pose, two
@@ -67,11 +90,7 @@ IKBENCH_LANES Reals distance(const KernelChain& chain, const Goal& goal, Load lo
   for (int j = chain.joints - 1; j >= 0; --j) {
     const KernelLink& link = chain.links[j];
     if constexpr (kind == Kind::any) {
-      if (link.joint != Joint::coupled || link.twist != KernelLink::none) {
-        at.x = run_x + at.x;
-        at.z = run_z + at.z;
-        run_x = run_z = all(0);
-      }
+      if (link.joint != Joint::coupled || link.twist != KernelLink::none) end_run(at, run_x, run_z);
     }
     twist(at, link);
     if constexpr (is_pose<Goal>) {
@@ -108,38 +127,26 @@ IKBENCH_LANES Reals distance(const KernelChain& chain, const Goal& goal, Load lo
       turn(along_y, of);
     }
   }
-  if constexpr (kind == Kind::any) {
-    at.x = run_x + at.x;
-    at.z = run_z + at.z;
-  }
-  const Vector off = difference(at, goal.target);
-  Reals square;
-  if constexpr (is_pose<Goal>) {
-    const Vector off_x = sum(off, difference(along_x, goal.target_axes.x)),
-                 off_y = sum(off, difference(along_y, goal.target_axes.y));
-    square = (squared(off) + squared(off_x) + squared(off_y)) * (1.0 / 3);
-  } else if constexpr (kind == Kind::any) {
-    // Without fused multiply-add, since the Dobot's solves in older stores have these bits.
-    square = off.x * off.x + off.y * off.y + off.z * off.z;
-  } else {
-    square = squared(off);  // Eq. 1
-  }
+  if constexpr (kind == Kind::any) end_run(at, run_x, run_z);
+  const Reals square = squared_error<kind>(goal, at, along_x, along_y);
   return reals(bits(root(square)) | angle_refused(too_far));  // all ones are NaN
 }
 
 template <Kind kind, class Goal>
-IKBENCH_LANES void errors_of(const KernelChain& chain, const Goal& goal, const double* q, ptrdiff_t row,
-                             ptrdiff_t count, double* errors) {
-  for_lanes(count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+IKBENCH_LANES void errors_of(const KernelChain& chain, const Goal& goal, const KernelCandidates& candidates,
+                             double* errors) {
+  const double* const q = candidates.q;
+  const ptrdiff_t row = candidates.row;
+  for_lanes(candidates.count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
     const auto joint = [&](int j) IKBENCH_INLINE { return some.load(q + j * row + i); };
     some.store(errors + i, distance<kind>(chain, goal, joint));
   });
 }
 
 template <class Goal>
-void errors(const KernelChain& chain, const Goal& goal, const double* q, ptrdiff_t row, ptrdiff_t count, double* out) {
-  if (chain.all_turn) return errors_of<Kind::all_turn>(chain, goal, q, row, count, out);
-  errors_of<Kind::any>(chain, goal, q, row, count, out);
+void errors(const KernelChain& chain, const Goal& goal, const KernelCandidates& candidates, double* out) {
+  if (chain.all_turn) return errors_of<Kind::all_turn>(chain, goal, candidates, out);
+  errors_of<Kind::any>(chain, goal, candidates, out);
 }
 
 }  // namespace

@@ -10,9 +10,9 @@ namespace ikbench::robots {
 
 // The motion of a link's joint.
 enum class Joint : unsigned char {
-  turns,   // turns the link and all after it about z
-  slides,  // slides them along z, in metres instead of radians
-  // Turns this link alone about y: a linkage such as a parallelogram keeps the direction of what follows.
+  turns,   // revolute or continuous: turns the link and all links after it about z
+  slides,  // prismatic: moves them along z, in metres instead of radians
+  // Turns only this link about y. A linkage such as a parallelogram keeps the direction of the links after it.
   coupled,
 };
 
@@ -27,8 +27,9 @@ struct KernelLink {
   double lean_cosine = 1, lean_sine = 0;  // of beta, where the twist is leaning
 };
 
-constexpr int most_joints = 64;
+constexpr int max_joints = 64;
 
+// A chain as kernels take it.
 struct KernelChain {
   const KernelLink* links;
   int joints;
@@ -36,12 +37,13 @@ struct KernelChain {
   bool all_turn = true;
 };
 
-// Two axes of a frame; their length is the weight of a radian [m].
+// Two axes of a frame, whose length is the weight of a radian [m].
 struct KernelAxes {
   double x[3], y[3];
 };
 
-// A point to reach, in the frame of the first link; or a pose, with the tool's axes in the frame of the last.
+// The goal of a solve: a point in the frame of the first link, or a pose, with the tool's axes in the frame of the last
+// link.
 struct KernelPoint {
   const double* target;
 };
@@ -50,12 +52,18 @@ struct KernelPose {
   KernelAxes target_axes, tool_axes;
 };
 
-// Distances of `count` candidates to the goal, of a pose the root mean square of those of the tool's point and the ends
-// of its two axes; joint j of candidate i is q[j * row + i]. Not finite if an angle is infinite, NaN or 2^51 quarter
-// turns or more.
+// `count` candidates as rows of joints: joint j of candidate i is q[j * row + i].
+struct KernelCandidates {
+  const double* q;
+  ptrdiff_t row, count;
+};
+
+// Writes the distance [m] of each candidate from the goal. For a pose this is the root mean square of three distances:
+// those of the tool's point and of the ends of the tool's two axes. An error is not finite if an angle is infinite, NaN
+// or 2^51 quarter turns or more.
 template <class Goal>
-using KernelErrors = void (*)(const KernelChain& chain, const Goal& goal, const double* q, ptrdiff_t row,
-                              ptrdiff_t count, double* errors);
+using KernelErrors = void (*)(const KernelChain& chain, const Goal& goal, const KernelCandidates& candidates,
+                              double* errors);
 struct Kernels {
   KernelErrors<KernelPoint> position_errors;
   KernelErrors<KernelPose> pose_errors;

@@ -60,7 +60,8 @@ Frame read_frame(TomlReader& reader, const std::string& key, Bounds lengths) {
 
 enum class Table { standard, modified };
 
-// Craig's table as a standard one: a row there begins with what ends the row before here.
+// Turns Craig's modified table into a standard one: a row of Craig's begins with the length and twist that end the
+// previous row of a standard table.
 void make_standard(std::vector<DhLink>& links, Frame& base) {
   base.position += base.pose().linear() * Eigen::Vector3d(links.front().a, 0, 0);
   base.rpy.x() += links.front().alpha;
@@ -76,8 +77,8 @@ Robot read_robot(TomlReader reader, std::string name, Bounds lengths) {
   std::vector<double> lower, upper;
   double widest = 0;  // [rad]
   for (const toml::table* link :
-       reader.tables("links", most_joints,
-                     fmt::format("a list of 1 to {} links such as {{ d_m = 0.36, alpha_deg = -90 }}", most_joints))) {
+       reader.tables("links", max_joints,
+                     fmt::format("a list of 1 to {} links such as {{ d_m = 0.36, alpha_deg = -90 }}", max_joints))) {
     const LimitedLink one = read_link(reader.nested(*link, "links."), lengths);
     links.push_back(one.link);
     lower.push_back(one.limits[0]);
@@ -188,7 +189,7 @@ std::optional<Robot> stored_arm(std::string_view json) {
   try {
     Json arm = parsed_json(json);
     for (const char* told : {"notes", "base_link", "tip_link"}) arm.erase(told);
-    if (arm.at("links").size() > most_joints) return std::nullopt;
+    if (arm.at("links").size() > max_joints) return std::nullopt;
     for (Json& link : arm.at("links")) link.erase("name");
     const toml::table table = toml_of(arm);
     return read_robot(TomlReader(table, "stored arm", ""), "stored", stored_lengths_m);

@@ -36,7 +36,8 @@ Misfit misfit_of(const Chain& whole) {
           std::max(from_right_angle(first), from_right_angle(middle))};
 }
 
-// The closed form knows no beta, and takes the sense of an angle from the sign of its alpha.
+// Returns true if the closed form applies to the last three joints: it knows no beta, and takes the sense of an angle
+// from the sign of its alpha.
 bool ends_in_revolute_joints(const Chain& whole) {
   if (whole.joints() < 4) return false;
   return std::all_of(whole.links().end() - 3, whole.links().end(), [](const DhLink& link) {

@@ -30,7 +30,7 @@ using Motion = DescribedJoint::Motion;
 
 bool is_joint(const XMLElement& element) { return std::string_view(element.Name()) == "joint"; }
 
-// A file, for messages about places in it.
+// A file, for messages about places in the file.
 class Place {
  public:
   explicit Place(const std::filesystem::path& file) : file_(file) {}
@@ -55,7 +55,7 @@ class Place {
     if (text.find("${") != std::string_view::npos || text.find("$(") != std::string_view::npos) fail_as_xacro(at);
   }
 
-  // The name in an attribute.
+  // Returns the name in an attribute.
   std::string name(const XMLElement& at, const char* attribute) const {
     const char* const text = at.Attribute(attribute);
     if (text == nullptr || *text == '\0') fail(at, fmt::format("<{}> has no {}", at.Name(), attribute));
@@ -63,7 +63,7 @@ class Place {
     return text;
   }
 
-  // Refuses what would be left out silently: tags that are misspelt or doubled, and xacro.
+  // Refuses elements that would be left out silently: misspelt or doubled tags, and xacro.
   void refuse_stray(const XMLElement& joint) const {
     const std::vector<std::string> read{"origin", "axis", "limit", "mimic", "parent", "child", "safety_controller"};
     std::set<std::string> seen;
@@ -76,7 +76,7 @@ class Place {
     }
   }
 
-  // Refuses attributes that are none of these; of an element that may have others, those that are almost one.
+  // Refuses attributes that are not among these. If the element may have others, refuses only misspelt ones.
   void refuse_unknown(const XMLElement& at, const std::vector<std::string>& known, bool may_have_others) const {
     for (const XMLAttribute* each = at.FirstAttribute(); each != nullptr; each = each->Next()) {
       const bool is_other = may_have_others && nearest_name(lower_case(each->Name()), known).empty();
@@ -117,7 +117,7 @@ class Place {
   const std::filesystem::path& file_;
 };
 
-// True for what may still bring links: xacro that is more than a definition.
+// Returns true for an element that may still bring links: xacro that is more than a definition.
 bool is_unexpanded(const XMLElement& element) {
   const std::string_view name = element.Name();
   return name.starts_with("xacro:") && name != "xacro:property" && name != "xacro:macro" && name != "xacro:arg";
@@ -150,7 +150,8 @@ std::pair<double, double> range_of(const XMLElement& joint) {
   return {limit->DoubleAttribute("lower"), limit->DoubleAttribute("upper")};
 }
 
-// It turns by less than half a turn, almost all of it to one side of 0, or slides a few centimetres.
+// Returns true for a joint that turns by less than half a turn, almost all of it to one side of 0, or slides a few
+// centimetres.
 bool moves_like_jaw(const XMLElement& joint) {
   const auto [lower, upper] = range_of(joint);
   const double range = upper - lower, less = std::min(std::abs(lower), std::abs(upper));
@@ -181,7 +182,7 @@ class Tree {
     }
   }
 
-  // The root of the tree above a link; or, if joints move behind it alone, the link after a joint that floats.
+  // Returns the root of the tree above a link. If joints move only behind a floating joint, returns the link after it.
   std::string root_of(std::string link) const {
     bool is_moved = false;
     const std::vector<const XMLElement*> joints = above(link);
@@ -219,15 +220,16 @@ class Tree {
     if (all.empty()) place_.fail(1, "the joints form a cycle; expected a tree");
     return with_most(all, "--base", "no joint leads to several links, so the arm may begin at each").link;
   }
-  // Where an arm ends: behind the most joints. Of links that move together it is the leaf, of several the tool's frame,
-  // else the link that carries them. A hand ends at the link that carries it.
+  // Returns the end of an arm, which is behind the most joints. If several links move together, the end is the only
+  // leaf; if there are several leaves, the tool's frame, otherwise the link that carries them. An arm with a hand ends
+  // at the link that carries the hand.
   End end_behind(const std::string& base) const {
     std::vector<End> ends;
     follow(base, 0, ends);
     return with_most(ends, "--tip", "joints branch, so the arm may end at several links");
   }
 
-  // A line each link, behind the one before it.
+  // Returns one line per link, indented behind the link before.
   std::string text() const {
     std::string lines;
     for (const auto& [link, depth, moving] : behind(roots())) {
@@ -250,7 +252,7 @@ class Tree {
                                did_you_mean(name, names)));
   }
 
-  // The joints from the base to the tip.
+  // Returns the joints from the base to the tip.
   std::vector<const XMLElement*> path(const std::string& base, const std::string& tip) const {
     std::vector<const XMLElement*> joints;
     for (const XMLElement* const joint : above(tip)) {
@@ -264,7 +266,7 @@ class Tree {
   }
 
  private:
-  // The link at one end of a joint.
+  // Returns the link at one end of a joint.
   std::string end(const XMLElement& joint, const char* which) const {
     const XMLElement* const element = joint.FirstChildElement(which);
     if (element == nullptr) place_.fail(joint, fmt::format("it has no <{}>", which));
@@ -273,7 +275,7 @@ class Tree {
     return link;
   }
 
-  // The joints before a link, the nearest first.
+  // Returns the joints before a link, the nearest first.
   std::vector<const XMLElement*> above(const std::string& link) const {
     std::vector<const XMLElement*> joints;
     for (auto at = before_.find(link); at != before_.end(); at = before_.find(end(*at->second, "parent"))) {
@@ -284,8 +286,8 @@ class Tree {
     return joints;
   }
 
-  // The one with the most joints. It asks if another has as many, or more than half as many where the first is not
-  // called a tool: a sensor may have more joints than an arm.
+  // Returns the end with the most joints. Throws LinkQuestion if another end has as many, or more than half as many and
+  // the first end is not called a tool, because a sensor may have more joints than an arm.
   End with_most(std::vector<End> ends, const char* option, std::string_view question) const {
     std::ranges::stable_sort(ends, std::greater(), &End::joints);
     const End& first = ends.front();
@@ -300,7 +302,7 @@ class Tree {
 
   int most_behind(const std::string& link) const { return std::ranges::max(behind({link}), {}, &Seen::moving).moving; }
 
-  // The last link on the way to both.
+  // Returns the last link on the way to both links.
   std::string fork_before(const std::string& one, std::string other) const {
     std::set<std::string> way{one};
     for (const XMLElement* const joint : above(one)) way.insert(end(*joint, "parent"));
@@ -308,8 +310,8 @@ class Tree {
     return other;
   }
 
-  // True for joints of a hand: each mimics another, is a jaw or has a twin; beside two such others may differ, as a
-  // thumb.
+  // Returns true for joints of a hand: each mimics another, is a jaw or has a twin. Beside two such joints others may
+  // differ, as a thumb does.
   bool are_fingers(const std::vector<const XMLElement*>& joints) const {
     std::map<std::string, int> alike;
     std::vector<std::string> others;
@@ -331,7 +333,7 @@ class Tree {
     return others.empty() || joints.size() > others.size() + 1;
   }
 
-  // Adds the ends behind a link and the links where joints branch.
+  // Adds the ends behind a link, and the links at which joints branch.
   void follow(const std::string& link, int joints, std::vector<End>& ends) const {
     std::vector<std::string> leaves, carriers;  // links that move with it: the last ones, and those before a next joint
     std::vector<const XMLElement*> next;
@@ -346,8 +348,7 @@ class Tree {
     const auto is_jaw = [](const std::string& leaf) { return contains_any(leaf, {"jaw", "finger"}); };
     const bool is_beside_jaw = joints > 0 && next.size() == 1 && longest == 1 && is_called_jaw(*next[0]) &&
                                std::ranges::count_if(leaves, is_jaw) == 1;  // which is fixed, so it is the tool
-    const bool is_end =
-        next.empty() || joints > most_joints || is_beside_jaw || (joints > longest && are_fingers(next));
+    const bool is_end = next.empty() || joints > max_joints || is_beside_jaw || (joints > longest && are_fingers(next));
     const bool may_be_jaw = !is_end && joints > 0 && next.size() == 1 && longest == 1 &&
                             (is_called_jaw(*next[0]) || moves_like_jaw(*next[0]));
     if (is_end || may_be_jaw || (next.size() > 1 && joints > 0)) {
@@ -374,7 +375,7 @@ class Tree {
     std::size_t depth;
     int moving;  // joints before it
   };
-  // Links and all behind them, each after the one before it.
+  // Returns these links and all links behind them, each after the link before.
   std::vector<Seen> behind(const std::vector<std::string>& links) const {
     std::vector<Seen> all, next;
     for (auto link = links.rbegin(); link != links.rend(); ++link) next.push_back({*link, 0, 0});
@@ -437,7 +438,7 @@ DescribedJoint described(const XMLElement& joint, const Place& place) {
   return read;
 }
 
-// Lower and upper limit; infinite if the joint turns without end.
+// Returns the lower and the upper limit [rad, m]; infinite for a continuous joint.
 Eigen::Vector2d limits_of(const XMLElement& joint, const Place& place, UrdfChoice::Limits which) {
   constexpr double infinity = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
   if (type_of(joint) == "continuous") return {-infinity, infinity};
@@ -504,6 +505,12 @@ const XMLElement& parsed(tinyxml2::XMLDocument& document, std::string_view text,
   return *robot;
 }
 
+// Returns the end of the chosen arm. Throws LinkQuestion if the file leaves the end open.
+Tree::End end_of(const Tree& tree, const UrdfChoice& choice) {
+  if (!choice.tip.empty()) return {.link = choice.tip};
+  return tree.end_behind(choice.base.empty() ? tree.root() : choice.base);
+}
+
 }  // namespace
 
 bool is_urdf_file(std::string_view name) {
@@ -529,8 +536,7 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
   const Tree tree(robot, place);
   for (const auto& [key, link] : {std::pair{"base", choice.base}, std::pair{"tip", choice.tip}})
     if (!link.empty()) tree.expect_link(key, link);
-  const Tree::End end = choice.tip.empty() ? tree.end_behind(choice.base.empty() ? tree.root() : choice.base)
-                                           : Tree::End{.link = choice.tip};
+  const Tree::End end = end_of(tree, choice);
   const std::string& tip = end.link;
   const std::string base = choice.base.empty() ? tree.root_of(tip) : choice.base;
 

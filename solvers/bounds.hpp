@@ -1,4 +1,5 @@
-// The joint limits as solvers treat them: first candidates are inside, and options decide about later ones.
+// Joint limits as solvers treat them: first candidates are inside, and an option of the solver decides about later
+// ones.
 #pragma once
 
 #include <cmath>
@@ -11,14 +12,15 @@
 
 namespace ikbench::solvers {
 
+// The treatment of joints outside their limits.
 enum class Bounds {
   initial,  // only the first candidates are inside
   clamp,    // a joint outside is set to its limit
-  free,     // it is turned back by whole turns, else stays; where a joint is outside, the candidate does not count
-  resample  // it is drawn again: the solver does that, by draw_outside_again
+  free,     // a joint outside is turned back by whole turns if possible; a candidate that stays outside is no answer
+  resample  // a joint outside is drawn again: the solver does that, by draw_outside_again
 };
 
-// Of a search by slopes.
+// Lists the option `bounds` of a solver that follows slopes.
 inline void list_bounds_of_search(OptionList& list, Bounds& bounds) {
   list.choice(
       "bounds", bounds, {{"initial", Bounds::initial}, {"clamp", Bounds::clamp}, {"free", Bounds::free}},
@@ -26,13 +28,14 @@ inline void list_bounds_of_search(OptionList& list, Bounds& bounds) {
       "and only candidates that are inside, by whole turns perhaps, count");
 }
 
+// Lists the option `bounds` of a solver that draws candidates.
 inline void list_bounds(OptionList& list, Bounds& bounds) {
   list.choice("bounds", bounds, {{"initial", Bounds::initial}, {"clamp", Bounds::clamp}},
               "joint limits apply to the initial candidates only, or all candidates are clamped to them");
 }
 
-// Turns an angle outside the limits back inside by whole turns, to the nearest such angle; leaves it if there is none.
-// An angle that rounding puts beside a limit becomes the limit.
+// Returns the nearest angle inside the limits that differs from q by whole turns; q if there is none. An angle that
+// rounding puts beside a limit becomes the limit.
 inline double turned_inside(double q, double lower, double upper) {
   constexpr double turn = 2 * std::numbers::pi, rounding = 1e-9;
   double turned = q;
@@ -43,7 +46,7 @@ inline double turned_inside(double q, double lower, double upper) {
   return turned >= lower && turned <= upper ? turned : q;
 }
 
-// The range to draw a joint from: its limits, or half a turn on both sides of the start if it turns without end.
+// The range from which a joint is drawn: its limits, or for a continuous joint half a turn on both sides of the start.
 struct DrawnFrom {
   DrawnFrom(const Problem& problem, Eigen::Index j) : lower(problem.lower[j]), upper(problem.upper[j]) {
     if (!robots::is_endless(lower, upper)) return;
@@ -53,20 +56,21 @@ struct DrawnFrom {
   double lower, upper;
 };
 
-// Finite limits, for a library or a program that needs them: a joint that turns without end gets a whole turn on both
-// sides of the start.
+// Returns finite limits, for a library or a program that needs them: a continuous joint gets a whole turn on both sides
+// of the start.
 inline robots::JointLimits finite_limits(const Problem& problem) {
   return robots::JointLimits{problem.lower, problem.upper}.around(problem.start, robots::whole_turn);
 }
 
-// Whether a candidate counts as an answer.
+// Returns true if a candidate counts as an answer.
 inline bool counts(Bounds bounds, const Problem& problem, const robots::Configuration& q) {
   return bounds != Bounds::free ||
          ((q.array() >= problem.lower.array()).all() && (q.array() <= problem.upper.array()).all());
 }
 
-// Whether a search that made this step to q, and is free, will end outside: where its steps shrink, what follows is no
-// more than the last one or two, so a joint that is outside by four does not come back.
+// Returns true if a search with Bounds::free, which made this step to q, will end outside. Where steps shrink, all
+// further ones together are no longer than the last one or two. So a joint that is outside by four steps does not come
+// back.
 inline bool ends_outside(const Problem& problem, const robots::Configuration& q, const robots::Configuration& step) {
   const double near = 4 * step.cwiseAbs().maxCoeff();
   return (q.array() > problem.upper.array() + near || q.array() < problem.lower.array() - near).any();
@@ -82,7 +86,7 @@ inline void draw_within_limits(const Problem& problem, numerics::Random& random,
   }
 }
 
-// Draws joints that are outside again: they become those of `fresh`, drawn within the limits.
+// Replaces joints that are outside by those of `fresh`, which are drawn within the limits.
 template <class Some>
 void draw_outside_again(const Problem& problem, const robots::Candidates& fresh, Eigen::Index first, Some&& q) {
   for (Eigen::Index j = 0; j < q.rows(); ++j) {
@@ -106,7 +110,7 @@ template <class Some>
 void keep_inside(Bounds bounds, const Problem& problem, Some&& q) {
   if (bounds == Bounds::initial || bounds == Bounds::resample) return;
   for (Eigen::Index j = 0; j < q.rows(); ++j) {
-    if (bounds == Bounds::free) {  // of a joint that slides it makes another candidate, no worse than any
+    if (bounds == Bounds::free) {  // makes another candidate if the joint is prismatic, which is as good as any
       q(j, 0) = turned_inside(q(j, 0), problem.lower[j], problem.upper[j]);
     } else if (q.cols() == 1) {
       q(j, 0) = std::clamp(q(j, 0), problem.lower[j], problem.upper[j]);

@@ -60,7 +60,8 @@ class DampedLeastSquares final : public Searcher {
     keep_inside(options_.bounds, problem_, candidate_);
     const double merit = evaluate(objective);
     if (options_.bounds == Bounds::free && ends_outside(problem_, candidate_, step_)) is_outside_ = true;
-    failures_ = is_outside_ ? options_.patience : merit < 0.99 * merit_ ? 0 : failures_ + 1;
+    failures_ = merit < 0.99 * merit_ ? 0 : failures_ + 1;
+    if (is_outside_) failures_ = options_.patience;
     if (merit < merit_) {
       const double gain = (merit_ * merit_ - merit * merit) / predicted;
       mu_ *= std::max(1.0 / 3, 1 - power(2 * gain - 1, 3));
@@ -83,14 +84,14 @@ class DampedLeastSquares final : public Searcher {
     failures_ = 0;
   }
 
-  // The merit that the descent reduces, at the candidate: the norm of the linearized residual. For a position it is the
-  // error. For a pose it is not, and following the slope of one but judging by the other would refuse good steps. So
-  // there the error only decides which candidate is the best.
+  // Evaluates the candidate and returns the merit that the descent reduces: the norm of the linearized residual. For a
+  // position the merit is the error. For a pose it differs: following the slope of one but judging by the other would
+  // refuse good steps, so that the error only decides which candidate is the best.
   double evaluate(Objective& objective) {
     trial_ = objective.linearize(candidate_, trial_jacobian_);
-    const bool its_error_counts = counts(options_.bounds, problem_, candidate_);
-    if (its_error_counts) best_.improve(candidate_, trial_.error);
-    is_outside_ = !its_error_counts && trial_.error <= std::max(options_.small_error, problem_.stop.tolerance);
+    const bool may_be_best = counts(options_.bounds, problem_, candidate_);
+    if (may_be_best) best_.improve(candidate_, trial_.error);
+    is_outside_ = !may_be_best && trial_.error <= std::max(options_.small_error, problem_.stop.tolerance);
     return objective.rows() == 3 ? trial_.error : trial_.to_go.norm();
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "numerics/functions.hpp"
 
@@ -56,14 +57,14 @@ double solve_damped(const Matrix& M, double mu, Eigen::Matrix<double, rows, 1>& 
   LD.transpose().template triangularView<Eigen::UnitUpper>().solveInPlace(solution);
   x(order) = solution;
 
-  // The determinant over what the larger eigenvalues are at most together.
+  // A lower bound: the determinant, divided by an upper bound of the product of the other eigenvalues.
   const double sum = diagonal.sum();
   double smallest = LD(0, 0);
   for (int k = 1; k < rows; ++k) smallest *= (rows - 1) * LD(k, k) / sum;
   return smallest > 1e-8 * sum ? smallest : 0;
 }
 
-// J^T (J J^T + mu I)^-1 e: what it factors does not grow with the number of joints.
+// Computes J^T (J J^T + mu I)^-1 e, whose factored matrix does not grow with the number of joints.
 template <int rows>
 double step_of_rows(const Eigen::MatrixXd& jacobian, const Residual& to_go, double mu, robots::Configuration& step) {
   const auto J = jacobian.topRows<rows>();
@@ -74,7 +75,7 @@ double step_of_rows(const Eigen::MatrixXd& jacobian, const Residual& to_go, doub
   return smallest;
 }
 
-// (J^T J + mu I)^-1 J^T e, for fewer joints than rows: J J^T has no inverse then.
+// Computes (J^T J + mu I)^-1 J^T e, for fewer joints than rows, where J J^T has no inverse.
 template <int joints>
 double step_of_joints(const Eigen::MatrixXd& jacobian, const Residual& to_go, double mu, robots::Configuration& step) {
   const auto transposed = jacobian.transpose().topRows<joints>();
@@ -85,35 +86,41 @@ double step_of_joints(const Eigen::MatrixXd& jacobian, const Residual& to_go, do
   return smallest;
 }
 
-// Rotations of pairs of J's rows, which do not change J^+ r, make them orthogonal; their lengths are then the singular
-// values (one-sided Jacobi, Hestenes 1958). A row of rounding errors alone never becomes orthogonal, so it is not
-// waited for, and counts as zero.
+// Rotates columns i and k of J, and elements i and k of r, so that the columns become orthogonal. Returns false if
+// there is nothing to rotate, or only rounding errors: one of the squared lengths is at most `negligible`.
+template <class Columns, class Vector>
+bool rotate(Columns& J, Vector& r, std::pair<int, int> pair, double negligible) {
+  const auto [i, k] = pair;
+  const double ii = J.col(i).squaredNorm(), kk = J.col(k).squaredNorm(), ik = dot(J.col(i), J.col(k));
+  if (!(std::abs(ik) > 1e-15 * std::sqrt(ii * kk))) return false;
+  const double cotangent = (kk - ii) / (2 * ik);  // of twice the angle
+  const double tangent = (cotangent < 0 ? -1 : 1) / (std::abs(cotangent) + std::sqrt(1 + cotangent * cotangent));
+  const double cosine = 1 / std::sqrt(1 + tangent * tangent), sine = cosine * tangent;
+  const auto turn = [&](double& a, double& b) {
+    const double before = a;
+    a = cosine * a - sine * b;
+    b = sine * before + cosine * b;
+  };
+  for (Eigen::Index j = 0; j < J.rows(); ++j) turn(J(j, i), J(j, k));
+  turn(r[i], r[k]);
+  return std::min(ii, kk) > negligible;
+}
+
+// Computes J^+ r. Rotations of pairs of J's rows, which do not change J^+ r, make the rows orthogonal. Their lengths
+// are then the singular values (one-sided Jacobi, Hestenes 1958). A row of rounding errors alone never becomes
+// orthogonal, so the sweeps do not wait for it, and it counts as zero.
 template <int rows>
 robots::Configuration pseudo_inverse_of_rows(const Eigen::MatrixXd& jacobian, const Residual& residual,
                                              double smallest) {
-  Eigen::Matrix<double, Eigen::Dynamic, rows, 0, robots::most_joints, rows> J = jacobian.topRows<rows>().transpose();
+  Eigen::Matrix<double, Eigen::Dynamic, rows, 0, robots::max_joints, rows> J = jacobian.topRows<rows>().transpose();
   Eigen::Matrix<double, rows, 1> r = residual.head<rows>();
   const double negligible = 1e-28 * J.squaredNorm();
-  constexpr int most_sweeps = 30;
+  constexpr int max_sweeps = 30;
   bool turned = true;
-  for (int sweep = 0; sweep < most_sweeps && turned; ++sweep) {
+  for (int sweep = 0; sweep < max_sweeps && turned; ++sweep) {
     turned = false;
     for (int i = 0; i < rows; ++i) {
-      for (int k = i + 1; k < rows; ++k) {
-        const double ii = J.col(i).squaredNorm(), kk = J.col(k).squaredNorm(), ik = dot(J.col(i), J.col(k));
-        if (!(std::abs(ik) > 1e-15 * std::sqrt(ii * kk))) continue;
-        turned = turned || std::min(ii, kk) > negligible;
-        const double cotangent = (kk - ii) / (2 * ik);  // of twice the angle
-        const double tangent = (cotangent < 0 ? -1 : 1) / (std::abs(cotangent) + std::sqrt(1 + cotangent * cotangent));
-        const double cosine = 1 / std::sqrt(1 + tangent * tangent), sine = cosine * tangent;
-        const auto turn = [&](double& a, double& b) {
-          const double before = a;
-          a = cosine * a - sine * b;
-          b = sine * before + cosine * b;
-        };
-        for (Eigen::Index j = 0; j < J.rows(); ++j) turn(J(j, i), J(j, k));
-        turn(r[i], r[k]);
-      }
+      for (int k = i + 1; k < rows; ++k) turned = rotate(J, r, {i, k}, negligible) || turned;
     }
   }
   robots::Configuration product = robots::Configuration::Zero(J.rows());

@@ -12,7 +12,7 @@ namespace ikbench::solvers {
 
 namespace {
 
-constexpr int least_population = 4;  // a candidate and its three partners
+constexpr int min_population = 4;  // a candidate and its three partners
 
 class DifferentialEvolution final : public Searcher {
  public:
@@ -57,10 +57,10 @@ class DifferentialEvolution final : public Searcher {
   explicit DifferentialEvolution(Options options) : options_(options) {}
 
   void start(const Problem& problem, Objective& objective, Random& random) override {
-    if (problem.population < least_population) {
+    if (problem.population < min_population) {
       throw std::invalid_argument(fmt::format(
           "differential_evolution has a population of {}; expected at least {}, because it combines three others",
-          problem.population, least_population));
+          problem.population, min_population));
     }
     take(problem);
     const int candidates = problem.population;
@@ -76,6 +76,18 @@ class DifferentialEvolution final : public Searcher {
   }
 
   void step(Objective& objective, Random& random) override {
+    draw(random);
+    if (options_.replacement == Replacement::at_once)
+      replace_at_once(objective);
+    else
+      replace_generation(objective);
+  }
+
+ private:
+  Eigen::Index partner(int k, Eigen::Index i) const { return static_cast<Eigen::Index>(partners_(k, i)); }
+
+  // Draws all random numbers of a generation.
+  void draw(Random& random) {
     random.uniforms(partners_);
     random.uniforms(crossover_);
     random.uniforms(forced_);
@@ -88,62 +100,68 @@ class DifferentialEvolution final : public Searcher {
     for (Eigen::Index i = 0; i < x_.cols(); ++i) {  // at least one joint comes from the mutant
       crossover_(static_cast<Eigen::Index>(forced_[i] * static_cast<double>(x_.rows())), i) = -1;
     }
-
-    const auto mutate = [&](Eigen::Index i, auto weight_of) {
-      const auto a = partner(0, i), b = partner(1, i), c = partner(2, i);
-      for (Eigen::Index j = 0; j < x_.rows(); ++j) trials_(j, i) = x_(j, a) + weight_of(j) * (x_(j, b) - x_(j, c));
-    };
-    const auto combine = [&](Eigen::Index first, Eigen::Index count) {
-      for (Eigen::Index i = first; i < first + count; ++i) {
-        if (options_.weight_drawn == Drawn::per_joint) {
-          mutate(i, [&](Eigen::Index j) { return weights_(j, i); });
-        } else {
-          mutate(i, [weight = weights_(0, i)](Eigen::Index) { return weight; });
-        }
-      }
-      for (Eigen::Index j = 0; j < x_.rows(); ++j) {
-        kernels_.choose({.less = &crossover_(j, first),  // crossover
-                         .than = &limit_[first],
-                         .yes = &trials_(j, first),
-                         .no = &x_(j, first),
-                         .out = &trials_(j, first),
-                         .count = count});
-      }
-      bring_inside(first, count);
-    };
-    if (options_.replacement == Replacement::at_once) {
-      // A trial stays if none of its partners was replaced since it was proposed.
-      Eigen::Index first_stale = 0;
-      const auto propose = [&](Eigen::Index first, Eigen::Index count) {
-        first_stale = x_.cols();
-        combine(first, count);
-      };
-      const auto decide = [&](Eigen::Index i) {
-        if (trial_errors_[i] < errors_[i]) {
-          x_.col(i) = trials_.col(i);
-          errors_[i] = trial_errors_[i];
-          best_.improve(trials_.col(i), trial_errors_[i]);
-          first_stale = first_with_partner(i, first_stale);
-        }
-        return i + 1 == first_stale && first_stale < x_.cols();
-      };
-      objective.one_by_one(trials_, trial_errors_, propose, decide);
-    } else {
-      combine(0, x_.cols());
-      objective.errors(trials_, trial_errors_);
-      const auto replace = [&](const double* by, double* own) {
-        kernels_.choose({trial_errors_.data(), errors_.data(), by, own, own, x_.cols()});
-      };
-      for (Eigen::Index j = 0; j < x_.rows(); ++j) replace(&trials_(j, 0), &x_(j, 0));
-      replace(trial_errors_.data(), errors_.data());
-      for (Eigen::Index i = 0; i < x_.cols(); ++i) best_.improve(x_.col(i), errors_[i]);
-    }
   }
 
- private:
-  Eigen::Index partner(int k, Eigen::Index i) const { return static_cast<Eigen::Index>(partners_(k, i)); }
+  // Makes the mutant of a candidate; `weight_of(j)` is F for joint j.
+  template <class WeightOf>
+  void mutate(Eigen::Index i, WeightOf weight_of) {
+    const auto a = partner(0, i), b = partner(1, i), c = partner(2, i);
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) trials_(j, i) = x_(j, a) + weight_of(j) * (x_(j, b) - x_(j, c));
+  }
 
-  // The first candidate after i, and before `end`, of which i is a partner; else `end`.
+  // Makes the trials of `count` candidates.
+  void combine(Eigen::Index first, Eigen::Index count) {
+    for (Eigen::Index i = first; i < first + count; ++i) {
+      if (options_.weight_drawn == Drawn::per_joint) {
+        mutate(i, [&](Eigen::Index j) { return weights_(j, i); });
+      } else {
+        mutate(i, [weight = weights_(0, i)](Eigen::Index) { return weight; });
+      }
+    }
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) {
+      kernels_.choose({.less = &crossover_(j, first),  // crossover
+                       .than = &limit_[first],
+                       .yes = &trials_(j, first),
+                       .no = &x_(j, first),
+                       .out = &trials_(j, first),
+                       .count = count});
+    }
+    bring_inside(first, count);
+  }
+
+  // Evaluates trial after trial; a better one replaces its candidate before the next is made. A trial that was made
+  // ahead stays if none of its partners was replaced since.
+  void replace_at_once(Objective& objective) {
+    Eigen::Index first_stale = 0;
+    const auto propose = [&](Eigen::Index first, Eigen::Index count) {
+      first_stale = x_.cols();
+      combine(first, count);
+    };
+    const auto decide = [&](Eigen::Index i) {
+      if (trial_errors_[i] < errors_[i]) {
+        x_.col(i) = trials_.col(i);
+        errors_[i] = trial_errors_[i];
+        best_.improve(trials_.col(i), trial_errors_[i]);
+        first_stale = first_with_partner(i, first_stale);
+      }
+      return i + 1 == first_stale && first_stale < x_.cols();
+    };
+    objective.one_by_one(trials_, trial_errors_, propose, decide);
+  }
+
+  // Evaluates all trials; better ones replace their candidates at the end.
+  void replace_generation(Objective& objective) {
+    combine(0, x_.cols());
+    objective.errors(trials_, trial_errors_);
+    const auto replace = [&](const double* by, double* own) {
+      kernels_.choose({trial_errors_.data(), errors_.data(), by, own, own, x_.cols()});
+    };
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) replace(&trials_(j, 0), &x_(j, 0));
+    replace(trial_errors_.data(), errors_.data());
+    for (Eigen::Index i = 0; i < x_.cols(); ++i) best_.improve(x_.col(i), errors_[i]);
+  }
+
+  // Returns the first candidate after i, and before `end`, of which i is a partner; otherwise `end`.
   Eigen::Index first_with_partner(Eigen::Index i, Eigen::Index end) const {
     Eigen::Index other = i + 1;
     while (other < end && partner(0, other) != i && partner(1, other) != i && partner(2, other) != i) ++other;
@@ -175,7 +193,7 @@ class DifferentialEvolution final : public Searcher {
 
 SolverInfo differential_evolution() {
   return solver_info<DifferentialEvolution>("differential_evolution", "differential evolution (DE), rand/1/bin",
-                                            "Storn and Price 1997", least_population);
+                                            "Storn and Price 1997", min_population);
 }
 
 }  // namespace ikbench::solvers

@@ -103,7 +103,7 @@ class KArtificialBeeColony final : public Searcher {
     if (is_random_) random.uniforms(neighbour_);
   }
 
-  // Every bee tries its source.
+  // Lets every bee try its source.
   void search(Bees bees, Objective& objective) {
     moved_by_.setConstant(-1);
     Eigen::Index proposed_from = 0;
@@ -132,7 +132,7 @@ class KArtificialBeeColony final : public Searcher {
         });
   }
 
-  // Each bee moves one joint j of its source i along the difference to the source's neighbour.
+  // Moves, for each bee, one joint j of its source i along the difference to the source's neighbour.
   void fly(Bees bees, Eigen::Index first, Eigen::Index count) {
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
       if (bees == Bees::employed) {
@@ -152,7 +152,7 @@ class KArtificialBeeColony final : public Searcher {
     }
   }
 
-  // The angle of joint j in the source that source i is compared with.
+  // Returns the angle of joint j in the neighbour of source i.
   double neighbour(Eigen::Index j, Eigen::Index i, Eigen::Index bee) const {
     if (options_.neighbour == Neighbour::best && i != best_source_) return x_(j, best_source_);
     if (options_.neighbour == Neighbour::best && options_.best_neighbour == BestNeighbour::origin) return 0;
@@ -161,7 +161,7 @@ class KArtificialBeeColony final : public Searcher {
 
   void find_best_source() { best_source_ = std::min_element(errors_.begin(), errors_.end()) - errors_.begin(); }
 
-  // Any source but i; a single source has no other.
+  // Returns a random source other than i; i if there is no other.
   Eigen::Index other_source(Eigen::Index i, double chance) const {
     const Eigen::Index others = x_.cols() - 1;
     const auto k = static_cast<Eigen::Index>(chance * static_cast<double>(others));

@@ -56,12 +56,13 @@ void clamp(double lower, double upper, double* q, ptrdiff_t count) {
   });
 }
 
-void turn_back(double lower, double upper, double most, double* q, double* v, ptrdiff_t count) {
-  for_lanes(count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
-    const Reals at = some.load(q + i), slow = smaller(all(most), larger(all(-most), some.load(v + i)));
-    const Bits outside = where_less(at, all(lower)) | where_less(all(upper), at);
-    some.store(v + i, chosen(outside, -slow, slow));
-    some.store(q + i, smaller(all(upper), larger(all(lower), at)));
+void turn_back(const Rebound& rebound) {
+  for_lanes(rebound.count, [rebound](ptrdiff_t i, auto some) IKBENCH_INLINE {
+    const Reals lower = all(rebound.lower), upper = all(rebound.upper), at = some.load(rebound.q + i);
+    const Reals slow = smaller(all(rebound.max_velocity), larger(all(-rebound.max_velocity), some.load(rebound.v + i)));
+    const Bits outside = where_less(at, lower) | where_less(upper, at);
+    some.store(rebound.v + i, chosen(outside, -slow, slow));
+    some.store(rebound.q + i, smaller(upper, larger(lower, at)));
   });
 }
 
@@ -70,7 +71,7 @@ IKBENCH_LANES Reals whole_part(Reals x) {
   return chosen(where_less(x, nearest), nearest - 1.0, nearest);
 }
 
-// Where a place among those left is among all, if `taken` is one of them.
+// Returns a place among all numbers, given the place among the numbers without `taken`.
 IKBENCH_LANES Reals after(Reals place, Reals taken) { return chosen(where_less(place, taken), place, place + 1.0); }
 
 constexpr double first_places[]{0, 1, 2, 3, 4, 5, 6, 7};

@@ -10,7 +10,7 @@ namespace ikbench::solvers {
 
 // One joint of `count` candidates that a velocity moves. x_next and v_next may be x and v.
 struct Flight {
-  double pole;  // the velocity grows away from it
+  double pole;  // place from which the velocity grows away
   const double* frequency;
   const double *x, *v;
   double *x_next, *v_next;
@@ -26,8 +26,8 @@ struct Swarm {
   ptrdiff_t count;
 };
 
-// One joint of `count` bats, some of which search around the best: q = best + step draws where chance > pulse_rate,
-// else flown. q may be flown.
+// One joint of `count` bats, some of which search around the best: q = best + step draws if chance > pulse_rate,
+// otherwise q = flown. q may be flown.
 struct LocalSearch {
   double best, step;
   const double *draws, *chance, *pulse_rate, *flown;
@@ -35,13 +35,21 @@ struct LocalSearch {
   ptrdiff_t count;
 };
 
-// out = yes where less < than, else no. out may be one of the others.
+// `count` choices: out = yes if less < than, otherwise out = no. out may be one of the other four.
 struct Choice {
   const double *less, *than, *yes, *no;
   double* out;
   ptrdiff_t count;
 };
 
+// One joint of `count` particles whose velocity is limited. A particle outside is set to the limit and turned back.
+struct Rebound {
+  double lower, upper, max_velocity;
+  double *q, *v;
+  ptrdiff_t count;
+};
+
+// The kernels of one instruction set.
 struct Kernels {
   void (*fly)(const Flight& flight);  // v_next = v + (x - pole) frequency, x_next = x + v_next
   void (*swarm)(const Swarm& swarm);
@@ -49,9 +57,8 @@ struct Kernels {
   void (*scatter)(double centre, double step, const double* draws, double* q, ptrdiff_t count);  // centre + step draws
   void (*choose)(const Choice& choice);
   void (*clamp)(double lower, double upper, double* q, ptrdiff_t count);
-  // Limits v to `most`, turns it back where q is outside, and clamps q.
-  void (*turn_back)(double lower, double upper, double most, double* q, double* v, ptrdiff_t count);
-  // Three rows of numbers in [0, 1) become three different others of `count` candidates for each: DE's partners.
+  void (*turn_back)(const Rebound& rebound);  // v = +-v within max_velocity, q within the limits
+  // Replaces three rows of numbers in [0, 1) by DE's partners: for each of `count` candidates three different others.
   void (*choose_partners)(double* rows, ptrdiff_t count);
   void (*add_squares)(double centre, const double* q, double* sums, ptrdiff_t count);  // sums += (q - centre)^2
 };

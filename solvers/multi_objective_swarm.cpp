@@ -1,7 +1,7 @@
 // MO-PSO, multi-objective particle swarm optimisation: Coello, Pulido and Lechuga 2004, in the form of
 // Martinez-Cagigal's public code, whose labels Table 1 of Slim et al. 2023 uses. The two objectives are the position
-// error and the variation, the norm of the joints' move from the start. A joint that turns without end moves the
-// shorter way round. docs/papers/slim2023-notes.md 2.8 argues for this reading.
+// error and the variation, the norm of the joints' move from the start. A continuous joint moves the shorter way
+// round. docs/papers/slim2023-notes.md 2.8 argues for this reading.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,8 +32,8 @@ struct Cost {
   }
 };
 
-// The candidates that no other one dominates, by growing error and so by falling variation. In that order neighbours
-// along the front are next to each other, and members of one grid cell stand together.
+// The candidates that no other one dominates, ordered by growing error and so by falling variation. In that order
+// neighbours along the front are next to each other, and members of one grid cell stand together.
 class Front {
  public:
   // Allocates memory for `capacity` members and as many newcomers as the swarm has.
@@ -69,10 +69,10 @@ class Front {
     divide();
   }
 
-  // The member that a number in [0, 1) picks.
+  // Returns the member that a number in [0, 1) picks.
   std::size_t pick(double chance) const { return roulette_.pick(chance); }
 
-  // The member nearest to the best values of both objectives, each relative to its range over the front.
+  // Returns the member nearest to the best values of both objectives, each relative to its range over the front.
   std::size_t knee() const {
     const auto distance = [&](std::size_t m) {
       const double e = position(cost(m).error, cost(0).error, cost(size() - 1).error);
@@ -93,7 +93,7 @@ class Front {
     double crowding = 0;
   };
 
-  // 0 at `low`, 1 at `high`; 0 if they are equal.
+  // Returns 0 at `low` and 1 at `high`; 0 if both are equal.
   static double position(double value, double low, double high) {
     return high > low ? (value - low) / (high - low) : 0;
   }
@@ -104,7 +104,10 @@ class Front {
     auto next = cell_of(cost(0));
     for (std::size_t first = 0, last = 0; first < size(); first = last) {
       const auto cell = next;
-      while (++last < size() && (next = cell_of(cost(last))) == cell) continue;
+      for (++last; last < size(); ++last) {
+        next = cell_of(cost(last));
+        if (next != cell) break;
+      }
       const auto count = static_cast<double>(last - first);
       const double share = 10 / count / count;
       for (std::size_t m = first; m < last; ++m) roulette_.add(share);
@@ -124,7 +127,8 @@ class Front {
     return std::tie(a.cost.error, a.cost.variation, a.column) < std::tie(b.cost.error, b.cost.variation, b.column);
   }
 
-  // True if a member has no larger error and no larger variation: of those with no larger error, the last varies least.
+  // Returns true if a member has no larger error and no larger variation. Among members with no larger error the last
+  // one varies least.
   bool is_behind_front(const Cost& newcomer) const {
     if (empty() || newcomer.error < cost(0).error) return false;
     std::size_t last = 0;  // bisection without a branch to predict
@@ -134,8 +138,8 @@ class Front {
     return cost(last).variation <= newcomer.variation;
   }
 
-  // One pass in the order of error: a candidate that does not vary less than all before is dominated (or equal; one of
-  // equals stays).
+  // Keeps members and newcomers that no other one dominates, in one pass in the order of error. A candidate that does
+  // not vary less than all before is dominated, or equal to one that stays.
   void keep_non_dominated() {
     kept_.clear();
     auto member = members_.cbegin(), newcomer = newcomers_.cbegin();
@@ -288,7 +292,12 @@ class MultiObjectiveSwarm final : public Searcher {
     }
     mutate(random);
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
-      kernels_.turn_back(problem_.lower[j], problem_.upper[j], velocity_limit_[j], &x_(j, 0), &v_(j, 0), x_.cols());
+      kernels_.turn_back({.lower = problem_.lower[j],
+                          .upper = problem_.upper[j],
+                          .max_velocity = velocity_limit_[j],
+                          .q = &x_(j, 0),
+                          .v = &v_(j, 0),
+                          .count = x_.cols()});
     }
     evaluate(objective);
     for (Eigen::Index i = 0; i < x_.cols(); ++i) chance_[i] = chance_to_replace(i);
@@ -321,7 +330,7 @@ class MultiObjectiveSwarm final : public Searcher {
     best_.improve(archive_.q(answer), archive_.cost(answer).error);
   }
 
-  // Treats the swarm in thirds (50: 17, 17, 16): the first stays, some of the second are drawn anew, and fewer and
+  // Mutates the swarm in thirds (50: 17, 17, 16): the first stays, some of the second are drawn again, and fewer and
   // fewer of the third.
   void mutate(Random& random) {
     const auto swarm = static_cast<int>(x_.cols());
@@ -331,7 +340,7 @@ class MultiObjectiveSwarm final : public Searcher {
     redraw(first + second, third, power(left, 5 * problem_.joints()), random);
   }
 
-  // Draws anew a share of the particles from, ..., from + count - 1, each at most once.
+  // Draws a share of the particles from, ..., from + count - 1 again, each once at most.
   void redraw(int from, int count, double share, Random& random) {
     for (int k = 0; k < count; ++k) order_[static_cast<std::size_t>(k)] = from + k;
     const auto redrawn = static_cast<int>(std::lround(share * count));
@@ -342,7 +351,8 @@ class MultiObjectiveSwarm final : public Searcher {
     }
   }
 
-  // The chance that a particle's own best gives way: 1 to what dominates it, 0 to what it dominates, else a half.
+  // Returns the chance that a particle's own best gives way to a candidate: 1 if the candidate dominates, 0 if it is
+  // dominated, otherwise a half.
   double chance_to_replace(Eigen::Index i) const {
     const Cost now{errors_[i], variations_[i]}, own{personal_errors_[i], personal_variations_[i]};
     if (!std::isfinite(now.error)) return 0;
@@ -353,7 +363,7 @@ class MultiObjectiveSwarm final : public Searcher {
   const Kernels& kernels_ = kernels();
   Candidates x_, v_, personal_, u1_, u2_;
   Eigen::VectorXd errors_, variations_, personal_errors_, personal_variations_;
-  Eigen::VectorXd turned_;  // moves of a joint that turns without end
+  Eigen::VectorXd turned_;  // moves of a continuous joint
   Eigen::VectorXd chance_, coin_;
   Configuration velocity_limit_;
   std::vector<int> order_;

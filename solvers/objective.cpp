@@ -1,4 +1,4 @@
-// Here and not in the header, because they are timed: folders that include it are compiled with -O1.
+// Functions that are not in the header because they are timed: folders that include the header are compiled with -O1.
 #include "solvers/objective.hpp"
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// The objective: it evaluates how far candidates are from the goal, and counts. Solvers evaluate through it only.
+// The objective of a solve: the error of candidates, which is their distance from the goal. Solvers evaluate only
+// through this class, which counts the evaluations.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +11,17 @@
 
 namespace ikbench::solvers {
 
-// A goal is the tool's position, or that and the direction of its z axis, or its whole pose.
+// The part of the tool's pose that a goal prescribes.
+// position: the position.
+// axis: the position and the direction of the z axis.
+// pose: position and orientation.
 enum class GoalKind { position, axis, pose };
 
+// The goal of a solve.
 struct Goal {
   Goal(const Eigen::Vector3d& position) { target.translation() = position; }
-  Goal(const robots::Pose& pose, double weight, GoalKind its_kind = GoalKind::pose)
-      : kind(its_kind), target(pose), rotation_weight(weight) {}
+  Goal(const robots::Pose& pose, double weight, GoalKind prescribed = GoalKind::pose)
+      : kind(prescribed), target(pose), rotation_weight(weight) {}
 
   GoalKind kind = GoalKind::position;
   robots::Pose target = robots::Pose::Identity();
@@ -25,40 +30,41 @@ struct Goal {
   bool has_direction() const { return kind != GoalKind::position; }
 };
 
-// Distance of the tool from its goal.
+// The distance of the tool from the goal.
 struct Deviation {
   double position = 0;  // [m]
-  double angle = 0;     // [rad], 0 to pi, of the z axis if that is the goal, else of the whole tool
+  double angle = 0;     // [rad], 0 to pi; of the z axis if the goal is an axis, otherwise of the whole tool
 };
 
-// The residual of a goal: 3 or 6 numbers, not on the heap.
+// The residual of a goal: 3 or 6 numbers [m], not on the heap.
 using Residual = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 
-// What is known of a candidate after a linearization: its error [m], and its residual.
+// A candidate after a linearization.
 struct Linearized {
-  double error;
-  Residual to_go;
+  double error;    // [m]
+  Residual to_go;  // [m]
 };
 
+// The objective. A derived class may evaluate in another way, such as by a program.
 class Objective {
  public:
-  // With furthest_ahead = 1, one_by_one is the plain loop.
-  Objective(const robots::Chain& arm, Goal goal, Eigen::Index furthest_ahead = 64)
-      : arm_(arm), goal_(std::move(goal)), look_ahead_(furthest_ahead), furthest_ahead_(furthest_ahead) {}
+  // `max_ahead`: candidates that one_by_one may evaluate ahead; 1 makes it a plain loop.
+  Objective(const robots::Chain& arm, Goal goal, Eigen::Index max_ahead = 64)
+      : arm_(arm), goal_(std::move(goal)), look_ahead_(max_ahead), max_ahead_(max_ahead) {}
   virtual ~Objective() = default;
 
   const robots::Chain& arm() const { return arm_; }
   const Goal& goal() const { return goal_; }
 
-  // Writes the error [m] of every candidate (a column of q) into `errors`: the position error (Eq. 1), or the
-  // root mean square of the distances of three points of the tool (Chain::pose_errors). It is 0
-  // only at the goal, and smooth elsewhere. Counts one evaluation per candidate.
+  // Writes the error [m] of every candidate (a column of q) into `errors`: the position error (Eq. 1), or the root mean
+  // square of the distances of three points of the tool (Chain::pose_errors). The error is 0 only at the goal, and
+  // smooth elsewhere. Counts one evaluation per candidate.
   void errors(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
     evaluations_ += q.cols();
     evaluate(q, errors);
   }
 
-  // The error of one candidate; counts one evaluation.
+  // Returns the error [m] of one candidate, and counts one evaluation.
   double error(const robots::ConfigurationRef& q) {
     using AsCandidate = Eigen::Map<const robots::Candidates, 0, Eigen::OuterStride<>>;
     Eigen::Matrix<double, 1, 1> error;
@@ -66,13 +72,13 @@ class Objective {
     return error[0];
   }
 
-  // A loop over the candidates: each is proposed from the state that earlier ones left, evaluated, and decided on.
-  // Still it looks ahead and evaluates in batches:
-  // - propose(first, count) writes these columns of q from the solver's present state;
-  // - decide(i) accepts candidate i, whose error is errors[i], or not, and says whether that changed anything that
-  // later proposals depend on. If so, those are proposed anew.
-  // - renew(i) is for changes that concern few of them: before the decision, it proposes candidate i anew if it has to,
-  // and says whether it did.
+  // Loops over the candidates: each is proposed from the state that earlier ones left, evaluated, and decided on. The
+  // loop looks ahead and evaluates in batches, with the numbers of a plain loop:
+  // - propose(first, count) writes these columns of q from the solver's present state.
+  // - decide(i) accepts or refuses candidate i, whose error is errors[i]. It returns true if later proposals depend on
+  //   something that has changed; they are then proposed again.
+  // - renew(i) is for changes that concern few candidates. Before the decision it proposes candidate i again if it has
+  //   to, and returns whether it did.
   // Only decided candidates count as evaluations, as in the plain loop. `q` are Candidates and `errors` a vector.
   template <class Q, class Errors, class Propose, class Decide, class Renew>
   void one_by_one(Q& q, Errors& errors, Propose&& propose, Decide&& decide, Renew&& renew) {
@@ -90,7 +96,7 @@ class Objective {
       i += decided;
       evaluations_ += decided;
       // Looks half as far ahead after a change, twice as far without. The numbers do not depend on it.
-      look_ahead_ = std::min(changed ? std::max<Eigen::Index>(look_ahead_ / 2, 8) : 2 * look_ahead_, furthest_ahead_);
+      look_ahead_ = std::min(changed ? std::max<Eigen::Index>(look_ahead_ / 2, 8) : 2 * look_ahead_, max_ahead_);
     }
   }
 
@@ -99,24 +105,25 @@ class Objective {
     one_by_one(q, errors, propose, decide, [](Eigen::Index) { return false; });
   }
 
-  // Rows of a residual: 3 for a position, else 6.
+  // Returns the rows of a residual: 3 for a position, otherwise 6.
   int rows() const { return goal_.has_direction() ? 6 : 3; }
-  // The error, and the residual: target - position [m] and, but for a position, rotation_weight times the remaining
-  // rotation vector [m], in the axes of the base; of an axis its shortest turn, and the Jacobian has no turn about it.
-  // Writes the geometric Jacobian in the same units into `jacobian`, rows() x joints. J dq = residual is Newton's step.
-  // The norm of a residual of 6 rows differs from the error. Counts one evaluation, as it is one candidate.
+  // Returns error and residual of one candidate, and counts one evaluation. The residual is target - position [m] and,
+  // for an axis or a pose, rotation_weight times the remaining rotation vector [m], in the axes of the base. For an
+  // axis that is the shortest turn of the axis, and the Jacobian has no turn about the axis. Writes the geometric
+  // Jacobian in the same units into `jacobian`, rows() x joints, so that J dq = residual is Newton's step. The norm of
+  // a residual of 6 rows differs from the error.
   Linearized linearize(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian) {
     ++evaluations_;
     return evaluate_linear(q, jacobian);
   }
 
-  // Deviation of a configuration from the goal's pose, also if only a position is searched. It judges answers and does
-  // not count.
+  // Returns the deviation of a configuration from the goal's pose, also if only a position is searched. For answers: it
+  // counts no evaluation.
   Deviation deviation(const robots::ConfigurationRef& q) const;
 
   std::int64_t evaluations() const { return evaluations_; }
 
-  // Keeps a number of the solver's own beside its answer: extras of the store.
+  // Keeps a number of the solver's own, which becomes an extra of the solve in the store.
   void note(const std::string& name, double value) { notes_[name] = value; }
   const std::map<std::string, double>& notes() const { return notes_; }
 
@@ -129,7 +136,7 @@ class Objective {
 
   const robots::Chain& arm_;
   Goal goal_;
-  Eigen::Index look_ahead_, furthest_ahead_;  // candidates
+  Eigen::Index look_ahead_, max_ahead_;  // candidates
   std::int64_t evaluations_ = 0;
   std::map<std::string, double> notes_;
 };

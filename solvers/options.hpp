@@ -18,20 +18,22 @@ using Setting = std::variant<double, std::string>;
 std::string text_of(const Setting& setting);
 using Settings = std::map<std::string, Setting, std::less<>>;  // by the options' names
 
+// One option of a solver.
 struct Option {
   std::string name;
   std::string expected;  // "a number from 0 to 1", "one of greedy, loudness"
   std::string meaning;
   std::vector<Setting> extremes;  // all choices, or the smallest and the largest number
-  bool is_later = false;          // it was added after solves had been stored
+  bool is_later = false;          // was added after solves had been stored
   std::function<Setting()> get;
   std::function<bool(const Setting&)> set;  // false if the value is not as expected
 };
 
+// The options of a solver, in the order in which its Options list them.
 class OptionList {
  public:
-  // Options listed from here on were added later: they enter the key of a series only if they differ from their
-  // defaults, so that a new one leaves stored solves as they are.
+  // Marks options that are listed from here on as later ones. They enter the key of a series only if they differ from
+  // their defaults, so that a new option leaves stored solves as they are.
   void later() { is_later_ = true; }
   void number(std::string name, double& field, std::pair<double, double> range, std::string meaning);
   void count(std::string name, int& field, std::pair<int, int> range, std::string meaning);

@@ -1,5 +1,5 @@
-// The solvers by name. Each has one line in registry.inc, and its file defines the function of that name. Solvers of
-// libraries are peers; they exist only if the build found the library.
+// Solvers by name. Each has one line in registry.inc, and a file that defines the function of that name. Library
+// solvers (peers) exist only if the build found their library.
 #pragma once
 
 #include <memory>
@@ -12,27 +12,29 @@
 
 namespace ikbench::solvers {
 
+// A solver's description and its factory.
 struct SolverInfo {
   std::string name;
   std::string summary;
-  std::string source;        // the publication it comes from
-  int least_population = 0;  // candidates that it needs at least; 0: it has no population
-  std::string library = {};  // of a peer: name and version, such as "KDL 1.5.1"
-  bool is_counted = true;    // we count its evaluations; false for a library with its own kinematics
-  // Says in one sentence why it cannot solve for an arm; empty if it can.
+  std::string source;        // publication of the method
+  int min_population = 0;    // 0: no population
+  std::string library = {};  // name and version of a peer's library, such as "KDL 1.5.1"
+  bool is_counted = true;    // evaluations are counted here; false: the library has its own kinematics
+  // Returns one sentence on why the solver cannot solve for an arm; empty if it can.
   std::function<std::string(const robots::Chain& arm, GoalKind goal)> why_not;
   std::function<std::unique_ptr<Solver>(const Settings& settings)> make;
   std::function<void(const std::function<void(OptionList&)>& visit)> describe;  // passes the defaults
 
-  // Changes settings, all of them, into what is used of them: what others replace is left out. Null: all are used.
+  // Removes settings that other settings replace from a complete set. Null: all settings are used.
   std::function<void(Settings& settings)> use = {};
 
-  // The defaults with `settings` applied. Throws std::invalid_argument as OptionList::set does.
+  // Returns the defaults with `settings` applied. Throws std::invalid_argument as OptionList::set does.
   Settings options(const Settings& settings) const;
 };
 
 std::vector<SolverInfo> all_solvers();
-// Finds a solver; std::invalid_argument lists the names, or names the package that a peer lacks.
+// Returns the solver of this name. Throws std::invalid_argument, which lists the names, or names the package that a
+// peer lacks.
 const SolverInfo& solver(std::string_view name);
 
 // A peer that this program was built without.
@@ -42,15 +44,15 @@ struct MissingPeer {
 };
 std::vector<MissingPeer> missing_peers();
 
-// For a solver's file. S has a nested Options with `void list(OptionList&)` and a constructor from it, and a static
-// why_not, as in SolverInfo, if it cannot solve for every arm.
+// Makes the description in a solver's file. S has a nested type Options, with `void list(OptionList&)`, and a
+// constructor from Options. If S cannot solve for every arm, it has a static why_not, as in SolverInfo.
 template <class S>
-SolverInfo solver_info(std::string name, std::string summary, std::string source, int least_population = 0) {
+SolverInfo solver_info(std::string name, std::string summary, std::string source, int min_population = 0) {
   using Options = typename S::Options;
   return {.name = std::move(name),
           .summary = std::move(summary),
           .source = std::move(source),
-          .least_population = least_population,
+          .min_population = min_population,
           .why_not = []([[maybe_unused]] const robots::Chain& arm, [[maybe_unused]] GoalKind goal) -> std::string {
             if constexpr (requires { S::why_not(arm, goal); }) return S::why_not(arm, goal);
             return {};

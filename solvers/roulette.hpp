@@ -1,4 +1,4 @@
-// The roulette wheel picks an entry with a chance in proportion to its share.
+// A roulette wheel, which picks an entry with a chance in proportion to the entry's share.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ class Roulette {
   void clear() { sums_.clear(); }
   void add(double share) { sums_.push_back(sums_.empty() ? share : sums_.back() + share); }
 
-  // The entries that `count` numbers in [0, 1) pick; there must be one.
+  // Writes the entries that `count` numbers in [0, 1) pick. There must be at least one entry.
   template <class Index>
   void pick(std::ptrdiff_t count, const double* chances, Index* picked) const {
     // Finds the first entry whose sum exceeds a number's part of all: bisection without a branch to predict, a step for

@@ -15,6 +15,7 @@ using numerics::StopReason;
 
 enum class Trace { none, best_error };
 
+// The result of a solve.
 struct Solution {
   Best best;
   std::int64_t iterations = 0;
@@ -22,13 +23,13 @@ struct Solution {
   int restarts = 0;
   StopReason stopped = StopReason::iterations;
   double position_error = 0;  // [m] of the best answer; equals its error if positions are searched
-  std::vector<double> trace;  // best error [m] after each iteration, if asked for
-  // Recorded if asked for: from evaluation 1, with the error at the start (or of the first candidates, if larger), to
-  // the last evaluation.
+  std::vector<double> trace;  // best error [m] after each iteration; only of solve_traced
+  // The improvements from evaluation 1, with the error at the start (or of the first candidates, if that is larger), to
+  // the last evaluation; only of solve_traced.
   Improvements improved;
 };
 
-// Decides when an answer is near enough for a solve to end.
+// The test whether an answer is near enough for a solve to end.
 class Tolerance {
  public:
   Tolerance(const StopRule& stop, const Objective& objective)
@@ -41,7 +42,8 @@ class Tolerance {
                      ? stop.tolerance + objective.goal().rotation_weight * stop.angle_tolerance * std::sqrt(2.0 / 3)
                      : stop.tolerance) {}
 
-  // Checks each best pose at most once, and only if its error allows that it is near enough.
+  // Returns true if the best answer is within the tolerances. Each best pose is checked once at most, and only if its
+  // error allows that it is within them.
   bool is_reached(const Best& best) {
     if (!(stop_.tolerance > 0) || !(best.error <= largest_)) return false;
     if (!objective_.goal().has_direction()) return true;
@@ -58,13 +60,17 @@ class Tolerance {
   double seen_ = -1;  // the error of the last best that was checked
 };
 
-// The limit of the rule that is reached, but its tolerance; none while there is budget.
+// Returns the limit of the rule that is reached, apart from tolerances; nullopt while there is budget.
 std::optional<StopReason> spent(const StopRule& stop, std::int64_t iterations, std::int64_t evaluations,
                                 std::chrono::steady_clock::time_point started);
 
-// Stops with `not_finite` if the best error or the answer is not finite, or the answer has not one number for each
-// joint: then all are NaN.
+// Lets a solver solve one problem, from its start until a rule of `stop` holds or the solver has finished. Stops with
+// `not_finite` if the best error or the answer is not finite, or if the answer has not one number per joint; in the
+// last case all numbers of the answer are NaN.
 Solution solve(Solver& solver, const Problem& problem, Objective& objective, numerics::Random& random,
-               const StopRule& stop, Trace trace = Trace::none);
+               const StopRule& stop);
+// Solves as `solve` does, with the same numbers, and records `trace` and `improved`.
+Solution solve_traced(Solver& solver, const Problem& problem, Objective& objective, numerics::Random& random,
+                      const StopRule& stop);
 
 }  // namespace ikbench::solvers

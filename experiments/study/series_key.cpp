@@ -120,7 +120,7 @@ std::vector<Series> series_of(const Study& study) {
     } else if (const SolverInfo& info = solver_info(entry); info.use) {
       info.use(options);
     }
-    if (entry.population > 0 || (!entry.program && solver_info(entry).least_population > 0))
+    if (entry.population > 0 || (!entry.program && solver_info(entry).min_population > 0))
       options["population"] = static_cast<double>(effective_population(study, entry));
     Json values = Json::object();
     for (const auto& [name, value] : options) {

@@ -170,10 +170,10 @@ void check_entry(const TomlReader& reader, const TomlReader& at_entry, const Sol
   const SolverInfo info = solver(entry.solver);
   if (const std::string why = info.why_not(arm.chain, goal_kind(study.search)); !why.empty())
     throw at_entry.mistake("solver", why);
-  if (const int population = effective_population(study, entry); population < info.least_population) {
+  if (const int population = effective_population(study, entry); population < info.min_population) {
     throw(entry.population > 0 ? at_entry : reader)
         .mistake(population_key, fmt::format("population is {}, but {} needs at least {}", population, entry.solver,
-                                             info.least_population));
+                                             info.min_population));
   }
   const auto bounds = entry.options.find("bounds");
   if (study.limits == LimitPolicy::enforced && bounds != entry.options.end() && bounds->second == Setting("initial")) {

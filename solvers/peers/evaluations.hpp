@@ -1,5 +1,5 @@
-// What the solvers by NLopt share. Evaluations of our objective by the library: keeps the best of them, and knows when
-// the study's stop rule ends the solve.
+// Common parts of the solvers by NLopt: evaluations of our objective by the library. Keeps the best of them, and knows
+// when the study's stop rule ends the solve.
 #pragma once
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ inline std::string nlopt_version_text() {
   return fmt::format("NLopt {}.{}.{}", major, minor, fix);
 }
 
-// A solve by calls of NLopt; the best is that of all evaluations.
+// A solver that calls NLopt. The best answer is that of all evaluations.
 class NloptSearch : public Searcher {
  public:
   void start(const Problem& problem, Objective& objective, Random&) override {
@@ -42,7 +42,7 @@ class NloptSearch : public Searcher {
   using Clock = std::chrono::steady_clock;
   friend class Evaluations;
 
-  // Where the next call starts: where the arm is, then at random.
+  // Returns the start of the next call: the arm's configuration for the first call, then a random one.
   Configuration next_start(Random& random) {
     Configuration q = problem_.start.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
     if (calls_++ > 0) draw_one_within_limits(problem_, random, q);
@@ -62,13 +62,13 @@ class Evaluations {
       : solve_(solve), problem_(solve.problem_), objective_(objective), tolerance_(problem_.stop, objective) {}
 
   Objective& objective() { return objective_; }
-  // A number that a library can rank, even if the error is not finite.
+  // Returns the error [m], or a number that a library can rank if the error is not finite.
   double error(const robots::ConfigurationRef& q) {
     const double error = objective_.error(q);
     found(q, error);
     return std::isfinite(error) ? error : no_error;
   }
-  // What was evaluated elsewhere.
+  // Records a candidate that was evaluated elsewhere.
   void found(const robots::ConfigurationRef& q, double error) {
     if (solve_.best_.improve(q, error) && problem_.improvements != nullptr)
       problem_.improvements->add(objective_.evaluations(), error);
@@ -82,7 +82,7 @@ class Evaluations {
                (problem_.stop.seconds > 0 && seconds_left() <= 0);
     return is_over_;
   }
-  // The number of evaluations left: of the study's budget, or of a population's over its iterations.
+  // Returns the number of evaluations left: of the study's budget, or of a population's over its iterations.
   std::int64_t left() const {
     const std::int64_t all = problem_.stop.evaluations > 0 ? problem_.stop.evaluations
                                                            : std::int64_t{problem_.iterations} * problem_.population;

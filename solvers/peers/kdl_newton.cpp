@@ -36,13 +36,13 @@ KDL::JntArray kdl_joints(const Configuration& q) {
   return array;
 }
 
-// The turn by beta about y, which KDL's rows of Denavit and Hartenberg lack.
+// Returns the turn by beta about y, which KDL's rows of Denavit and Hartenberg lack.
 KDL::Frame leaning(double beta) {
   const auto [sine, cosine] = numerics::sin_cos(beta);
   return KDL::Frame(KDL::Rotation(cosine, 0, sine, 0, 1, 0, -sine, 0, cosine));
 }
 
-// The first segment is the frame of the base, which no joint moves.
+// Returns the chain in KDL's form. The first segment is the frame of the base, which no joint moves.
 KDL::Chain kdl_chain(const Chain& arm) {
   KDL::Chain chain;
   chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), kdl_frame(arm.base().pose())));
@@ -55,7 +55,7 @@ KDL::Chain kdl_chain(const Chain& arm) {
   return chain;
 }
 
-// KDL's solvers of one call; they refer to each other.
+// KDL's solvers of one call, which refer to each other.
 struct KdlNewtonCall {
   KdlNewtonCall(const Chain& arm, const Problem& problem, double accuracy, int iterations)
       : chain(kdl_chain(arm)),
@@ -82,7 +82,7 @@ class KdlNewton final : public Searcher {
           "KDL's eps [m, rad]: it ends where every coordinate of the twist that is left is below; 0: where both "
           "tolerances of the study certainly hold, or without one 1e-6, as in KDL");
       list.count("iterations", iterations, {0, 1'000'000},
-                 "KDL's maximum number of iterations, in KDL 100; 0: the study's, at most 1 000 000");
+                 "KDL's maximum number of iterations, in KDL 100; 0: the study's, at max_iterations 1 000 000");
     }
   };
 
@@ -95,14 +95,13 @@ class KdlNewton final : public Searcher {
   }
 
   void start(const Problem& problem, Objective& objective, Random&) override {
-    // A vector is short enough if each of its three coordinates is at most this.
-    const double within = std::min(problem.stop.tolerance, problem.stop.angle_tolerance) / std::sqrt(3.0);
-    const double accuracy = options_.accuracy > 0 ? options_.accuracy : within > 0 ? within : 1e-6;
+    const double accuracy = accuracy_for(problem.stop);
     // An iteration is about one evaluation.
-    std::int64_t most = options_.iterations > 0 ? options_.iterations : std::min(problem.stop.iterations, 1'000'000);
-    if (problem.stop.evaluations > 0) most = std::min(most, problem.stop.evaluations);
-    left_ = static_cast<int>(most);
-    const int calls = problem.stop.seconds > 0 ? (left_ + longest_call - 1) / longest_call : 1;
+    std::int64_t max_iterations =
+        options_.iterations > 0 ? options_.iterations : std::min(problem.stop.iterations, 1'000'000);
+    if (problem.stop.evaluations > 0) max_iterations = std::min(max_iterations, problem.stop.evaluations);
+    left_ = static_cast<int>(max_iterations);
+    const int calls = problem.stop.seconds > 0 ? (left_ + max_call - 1) / max_call : 1;
     const int iterations = left_ / std::max(1, calls);
     if (!call_ || *arm_ != objective.arm() || accuracy != accuracy_ || iterations != iterations_) {
       arm_ = objective.arm();
@@ -129,12 +128,20 @@ class KdlNewton final : public Searcher {
   bool finished() const override { return left_ <= 0; }
 
  private:
-  static constexpr int longest_call = 50;  // iterations between looks at the clock
+  static constexpr int max_call = 50;  // iterations between looks at the clock
+
+  // Returns KDL's eps for the tolerances of a study.
+  double accuracy_for(const StopRule& stop) const {
+    if (options_.accuracy > 0) return options_.accuracy;
+    // A vector is short enough if each of its three coordinates is at most this.
+    const double within = std::min(stop.tolerance, stop.angle_tolerance) / std::sqrt(3.0);
+    return within > 0 ? within : 1e-6;
+  }
 
   Options options_;
-  std::optional<Chain> arm_;       // the arm of the call
-  double accuracy_ = 0;            // and its accuracy
-  int iterations_ = 0, left_ = 0;  // of a call; of all calls
+  std::optional<Chain> arm_;       // arm of the present call
+  double accuracy_ = 0;            // accuracy of the present call
+  int iterations_ = 0, left_ = 0;  // iterations per call; iterations left for all calls
   std::unique_ptr<KdlNewtonCall> call_;
   Configuration q_;
 };

@@ -68,21 +68,21 @@ class NloptSolver final : public NloptSearch {
     nlopt_set_xtol_rel(opt.get(), 0);
     nlopt_set_xtol_abs1(opt.get(), options_.small_move);
     nlopt_set_population(opt.get(), static_cast<unsigned>(problem_.population));
-    // Of L-BFGS: else it clears room for as many steps as evaluations are allowed, which takes a millisecond.
+    // Otherwise L-BFGS clears room for as many steps as evaluations are allowed, which takes a millisecond.
     nlopt_set_vector_storage(opt.get(), 100);
     nlopt_set_maxeval(opt.get(), static_cast<int>(std::min<std::int64_t>(evaluations.left(), 1'000'000'000)));
     double reached = 0;
     nlopt_optimize(opt.get(), q.data(), &reached);
   }
 
-  // True for algorithms that need finite limits. For a joint without end, a whole turn on both sides of the start
-  // contains every direction well inside.
+  // Returns true for algorithms that need finite limits. For a continuous joint, a whole turn on both sides of the
+  // start contains every direction well inside.
   bool searches_everywhere() const {
     return options_.algorithm == NLOPT_GN_DIRECT_L || options_.algorithm == NLOPT_GN_CRS2_LM;
   }
 
-  // NLopt's first step is a quarter of a joint's range, or, without limits, the joint's own value, however small. So a
-  // joint without end gets a quarter turn.
+  // Sets the first step of continuous joints to a quarter turn. NLopt's own first step is a quarter of a joint's range,
+  // or, without limits, the joint's value, however small.
   void set_first_steps(nlopt_opt opt, const Configuration& q) const {
     if (problem_.lower.allFinite() && problem_.upper.allFinite()) return;
     Configuration steps = q;

@@ -14,7 +14,7 @@ Study study_of_every_solver() {
   Study study = small_study();
   study.solvers.clear();
   for (const SolverInfo& info : solvers_for(robot_of(study).chain, GoalKind::position)) {
-    study.solvers.push_back({info.name, info.name, {}, std::max(study.population, info.least_population)});
+    study.solvers.push_back({info.name, info.name, {}, std::max(study.population, info.min_population)});
   }
   return study;
 }

@@ -85,7 +85,7 @@ TEST_CASE("an arm file is a file of at most 16 MB, with a plain name", "[arm][mi
 TEST_CASE("an arm file with up to four random changes is an arm, or refused with its place", "[arm][fuzz]") {
   read_mutated(Mutator(2024), scara, 3000, "my_arm.toml:", [](const std::string& text) {
     const Robot arm = read_arm(text);
-    REQUIRE(arm.joints() <= most_joints);
+    REQUIRE(arm.joints() <= max_joints);
     REQUIRE((arm.limits.lower.array() < arm.limits.upper.array()).all());
     REQUIRE(arm.chain.position(arm.limits.lower).allFinite());
   });

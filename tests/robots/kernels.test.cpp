@@ -69,10 +69,10 @@ void check_errors(const Arm& arm, Dice& dice, ptrdiff_t count, ptrdiff_t row, pt
   const KernelPose goal = random_pose(dice);
   const KernelChain chain = arm.chain();
   const auto position_errors = [&](InstructionSet set, double* errors) {
-    robots::kernels(set).position_errors(chain, {goal.target}, q.data() + from, row, count, errors);
+    robots::kernels(set).position_errors(chain, {goal.target}, {q.data() + from, row, count}, errors);
   };
   const auto pose_errors = [&](InstructionSet set, double* errors) {
-    robots::kernels(set).pose_errors(chain, goal, q.data() + from, row, count, errors);
+    robots::kernels(set).pose_errors(chain, goal, {q.data() + from, row, count}, errors);
   };
   const auto check = [&](const auto& errors_by) {
     std::vector<double> expected(static_cast<std::size_t>(count));
@@ -94,7 +94,7 @@ void check_errors(const Arm& arm, Dice& dice, ptrdiff_t count, ptrdiff_t row, pt
 TEST_CASE("every instruction set gives the portable errors bit for bit, for 1 to 64 joints and 0 to 100 candidates",
           "[kernels]") {
   Dice dice;
-  for (int joints = 1; joints <= most_joints; ++joints) {
+  for (int joints = 1; joints <= max_joints; ++joints) {
     const Arm arm(random_links(dice, joints), dice.below(2) * 0.3 * random_target(dice));
     for (ptrdiff_t count = 0; count <= 100; ++count) {
       if (joints > 8 && count > 20 && dice.below(8) != 0) continue;
@@ -141,17 +141,17 @@ TEST_CASE("an angle that is none spoils its own candidate, in whatever joint, an
         for (Eigen::Index i = 0; i < q.size(); ++i) q.data()[i] = dice.between(-2, 2);
         const Eigen::Vector3d target = random_target(dice);
         std::vector<double> good(count), errors(count);
-        robots::kernels(set).position_errors(arm.chain(), {target.data()}, q.data(), count, count, good.data());
+        robots::kernels(set).position_errors(arm.chain(), {target.data()}, {q.data(), count, count}, good.data());
         const auto victim = static_cast<std::size_t>(dice.below(count));
         q(joint, static_cast<Eigen::Index>(victim)) = bad;
-        robots::kernels(set).position_errors(arm.chain(), {target.data()}, q.data(), count, count, errors.data());
+        robots::kernels(set).position_errors(arm.chain(), {target.data()}, {q.data(), count, count}, errors.data());
         CHECK_FALSE(std::isfinite(errors[victim]));
         errors[victim] = good[victim];
         CHECK(errors == good);
         Eigen::VectorXd by_chain(count);  // the last joint moves nothing
         Chain(iiwa).position_errors(q, target, by_chain);
         CHECK_FALSE(std::isfinite(by_chain[static_cast<Eigen::Index>(victim)]));
-        robots::kernels(set).pose_errors(arm.chain(), random_pose(dice), q.data(), count, count, errors.data());
+        robots::kernels(set).pose_errors(arm.chain(), random_pose(dice), {q.data(), count, count}, errors.data());
         for (std::size_t i = 0; i < errors.size(); ++i) CHECK(std::isfinite(errors[i]) == (i != victim));
       }
     }
@@ -167,7 +167,7 @@ TEST_CASE("a target that is none, or a link beyond all squares, gives no finite 
       const Eigen::Vector3d at(0.1, 0.2, 0.3);
       const auto check = [&](const Arm& its, const Eigen::Vector3d& target) {
         std::vector<double> errors(11);
-        robots::kernels(set).position_errors(its.chain(), {target.data()}, q.data(), 11, 11, errors.data());
+        robots::kernels(set).position_errors(its.chain(), {target.data()}, {q.data(), 11, 11}, errors.data());
         for (const double error : errors) CHECK_FALSE(std::isfinite(error));
       };
       for (Eigen::Index axis = 0; axis < 3; ++axis) {

@@ -67,7 +67,7 @@ bool has_choice(const SolverInfo& info, std::string_view name, std::string_view 
 
 Solution solved(Solver& solver, const Task& task, Objective& objective, std::uint64_t seed = 1) {
   Random random{Key(seed)};
-  return solve(solver, task.problem, objective, random, {.iterations = 30}, Trace::best_error);
+  return solve_traced(solver, task.problem, objective, random, {.iterations = 30});
 }
 
 // Checks that best() never worsens and that its error is exactly the objective's.
@@ -131,7 +131,7 @@ TEST_CASE("a solve in which no error is a number ends as not finite", "[contract
 
 TEST_CASE("the same key gives the same answer, also from a solver used before", "[contract]") {
   at_corners(solvers_of_positions(), [](const SolverInfo& info, const Settings& settings) {
-    const Task task = iiwa_task(), other = snake_task(3, std::max(6, info.least_population));
+    const Task task = iiwa_task(), other = snake_task(3, std::max(6, info.min_population));
     const auto solver = info.make(settings), used = info.make(settings);
     Objective first(task.chain, task.target), between(other.chain, other.target), second(task.chain, task.target);
     const Solution a = solved(*solver, task, first);
@@ -247,7 +247,7 @@ TEST_CASE("a solve may start at the limits, or where a joint is locked", "[contr
 
 TEST_CASE("a second solve of the same size takes no memory from the heap", "[contract]") {
   at_corners(own_solvers_of_positions(), [](const SolverInfo& info, const Settings& settings) {
-    for (const int joints : {1, 4, most_joints}) {
+    for (const int joints : {1, 4, max_joints}) {
       CAPTURE(joints);
       Task task = snake_task(joints, 50);
       task.target *= 10;  // out of reach: restarts and scouts take part

@@ -20,7 +20,7 @@ std::vector<SolverInfo> solvers_for_endless() { return solvers_for(endless_task(
 TEST_CASE("an arm without end is searched by every solver as one with limits is", "[endless]") {
   for (const SolverInfo& info : solvers_for_endless()) {
     CAPTURE(info.name);
-    const Task task = endless_task(std::max(10, info.least_population));
+    const Task task = endless_task(std::max(10, info.min_population));
     Objective objective(task.chain, task.target), judge(task.chain, task.target);
     Random random{Key(3)};
     const Solution solution = solve(*info.make({}), task.problem, objective, random, {.iterations = 200});

@@ -173,7 +173,7 @@ TEST_CASE("every instruction set turns back and adds squares as the plain loop d
     Column q = drawn(dice, size), v = drawn(dice, size), sums_after = sums;
     Row q_row(q, page), v_row(v, page), sums_row(sums, page);
     kernels.add_squares(lower, q_row.data(), sums_row.data(), static_cast<ptrdiff_t>(size));
-    kernels.turn_back(lower, upper, most, q_row.data(), v_row.data(), static_cast<ptrdiff_t>(size));
+    kernels.turn_back({lower, upper, most, q_row.data(), v_row.data(), static_cast<ptrdiff_t>(size)});
     for (std::size_t i = 0; i < size; ++i) {
       sums_after[i] += (q[i] - lower) * (q[i] - lower);
       v[i] = std::clamp(v[i], -most, most);

@@ -7,7 +7,8 @@ Solution solved(const StopRule& stop, Trace trace = Trace::none) {
   const Task task = iiwa_task();
   Objective objective(task.chain, task.target);
   Random random{Key(1)};
-  return solve(*solver("ik_bat").make({}), task.problem, objective, random, stop, trace);
+  const auto solve_by = trace == Trace::none ? &solve : &solve_traced;
+  return solve_by(*solver("ik_bat").make({}), task.problem, objective, random, stop);
 }
 
 }  // namespace
@@ -53,7 +54,7 @@ TEST_CASE("a solve stops where its solver has finished, unless it is within the 
     Objective objective(task.chain, task.target);
     Random random{Key(1)};
     Finishing solver;
-    return solve(solver, task.problem, objective, random, stop, Trace::best_error);
+    return solve_traced(solver, task.problem, objective, random, stop);
   };
   const Solution solution = solved({.iterations = 10});
   CHECK(solution.stopped == StopReason::finished);

@@ -34,7 +34,8 @@ Solution solved(const PeerTask& task, const std::string& name, const Settings& s
                 Trace trace = Trace::none) {
   Objective objective(task.arm.chain, task.goal);
   Random random{Key(1)};
-  return solve(*solver(name).make(settings), task.problem, objective, random, stop, trace);
+  const auto solve_by = trace == Trace::none ? &solve : &solve_traced;
+  return solve_by(*solver(name).make(settings), task.problem, objective, random, stop);
 }
 
 }  // namespace
