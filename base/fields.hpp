@@ -28,10 +28,10 @@ enum class InKey {
 };
 
 // The meaning of a field, and how the field enters the key of a series. Made of a text.
-struct About {
-  About() = default;
+struct FieldInfo {
+  FieldInfo() = default;
   template <std::convertible_to<std::string_view> Text>
-  About(const Text& text, InKey how = InKey::by_name) : meaning(text), in_key(how) {}
+  FieldInfo(const Text& text, InKey how = InKey::by_name) : meaning(text), in_key(how) {}
 
   std::string_view meaning;
   InKey in_key = InKey::by_name;
@@ -47,42 +47,43 @@ class Fields {
 
   virtual ~Fields() = default;
 
-  void text(std::string_view key, std::string& field, const About& about = {}) {
-    on_text({key, about.meaning, about.in_key}, field);
+  void text(std::string_view key, std::string& field, const FieldInfo& info = {}) {
+    on_text({key, info.meaning, info.in_key}, field);
   }
 
-  void texts(std::string_view key, std::vector<std::string>& field, const About& about = {}) {
-    on_texts({key, about.meaning, about.in_key}, field);
+  void texts(std::string_view key, std::vector<std::string>& field, const FieldInfo& info = {}) {
+    on_texts({key, info.meaning, info.in_key}, field);
   }
 
   // A field with the value of an enum. `choices` are the names of its values, in their order.
   template <class Enum, class Names = std::initializer_list<std::string_view>>
-  void choice(std::string_view key, Enum& field, const Names& choices, const About& about = {}) {
+  void choice(std::string_view key, Enum& field, const Names& choices, const FieldInfo& info = {}) {
     auto chosen = static_cast<std::size_t>(field);
-    on_choice({key, about.meaning, about.in_key}, chosen, std::vector<std::string>(choices.begin(), choices.end()));
+    on_choice({key, info.meaning, info.in_key}, chosen, std::vector<std::string>(choices.begin(), choices.end()));
     field = static_cast<Enum>(chosen);
   }
 
   // A field with a whole number; `range` has the smallest and the largest value.
   template <class Whole>
-  void whole(std::string_view key, Whole& field, std::pair<std::int64_t, std::int64_t> range, const About& about = {}) {
+  void whole(std::string_view key, Whole& field, std::pair<std::int64_t, std::int64_t> range,
+             const FieldInfo& info = {}) {
     auto value = static_cast<std::int64_t>(field);
-    on_whole({key, about.meaning, about.in_key}, value, range);
+    on_whole({key, info.meaning, info.in_key}, value, range);
     field = static_cast<Whole>(value);
   }
 
   // A field with a number in metres, radians or seconds. `unit` is the unit of its text, such as 0.01 for cm, in which
   // `range` is given.
   void number(std::string_view key, double& field, double unit, std::pair<double, double> range,
-              const About& about = {}) {
-    on_number({key, about.meaning, about.in_key}, field, unit, range);
+              const FieldInfo& info = {}) {
+    on_number({key, info.meaning, info.in_key}, field, unit, range);
   }
 
   // A field with a list of numbers; `size` 0 allows any number of values.
   template <class Vector>
-  void numbers(std::string_view key, Vector& field, double unit, int size, const About& about = {}) {
+  void numbers(std::string_view key, Vector& field, double unit, int size, const FieldInfo& info = {}) {
     std::vector<double> values(field.begin(), field.end());
-    on_numbers({key, about.meaning, about.in_key}, values, unit, size);
+    on_numbers({key, info.meaning, info.in_key}, values, unit, size);
     field.resize(static_cast<decltype(field.size())>(values.size()));
     std::ranges::copy(values, field.begin());
   }

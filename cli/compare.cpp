@@ -73,11 +73,11 @@ std::vector<RegressionCheck> checks_by_label(const StudyInStore& a, const StudyI
                                              const CompareArguments& arguments, const RegressionOptions& options) {
   std::vector<RegressionCheck> checks;
   for (const std::string& label : requested)
-    checks.push_back(gate(a.results_of(arguments, label), b.results_of(arguments, label), options));
+    checks.push_back(check_regression(a.results_of(arguments, label), b.results_of(arguments, label), options));
   for (const std::string& label : a.labels()) {
     if (!b.has(label) || std::ranges::count(requested, label) > 0) continue;
     try {
-      checks.push_back(gate(a.results_of(arguments, label), b.results_of(arguments, label), options));
+      checks.push_back(check_regression(a.results_of(arguments, label), b.results_of(arguments, label), options));
     } catch (const LacksSolves&) {
       continue;
     }
@@ -116,7 +116,7 @@ std::vector<RegressionCheck> compare_all(const CompareArguments& arguments) {
     const StudyInStore both(arguments.store, arguments.study);
     if (arguments.a == arguments.b) throw std::invalid_argument("A and B are the same label; expected two");
     for (const std::string& label : {arguments.a, arguments.b}) both.refuse_unknown(label);
-    checks.push_back(gate(both.results_of(arguments), arguments.b, arguments.a, options));
+    checks.push_back(check_regression(both.results_of(arguments), arguments.b, arguments.a, options));
     judge_all(checks);
     return checks;
   }

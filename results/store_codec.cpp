@@ -27,10 +27,13 @@ void write_numbers(std::string& text, const std::vector<double>& numbers) {
   text = "[";
   for (const double number : numbers) {
     if (text.size() > 1) text += ',';
-    if (std::isfinite(number))
+    if (std::isfinite(number)) {
       append(text, number);
-    else
-      text += std::isnan(number) ? json_nan : number > 0 ? json_infinity : json_minus_infinity;
+    } else if (std::isnan(number)) {
+      text += json_nan;
+    } else {
+      text += number > 0 ? json_infinity : json_minus_infinity;
+    }
   }
   text += ']';
 }

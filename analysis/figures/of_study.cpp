@@ -374,7 +374,7 @@ JudgedMetric on_common_blocks(JudgedMetric metric) {
   }
   if (blocks.size() < 2) return metric;
   keep_common_blocks(groups);
-  std::vector<Comparison> common = compare(samples, metric.plan);
+  std::vector<Comparison> common = compare_pairs(samples, metric.plan);
   const ComparisonTable table(metric);
   for (Comparison& comparison : common) {
     const Comparison* const whole = table.find(comparison.first_index, comparison.second_index);

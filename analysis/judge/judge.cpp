@@ -71,19 +71,20 @@ void add_rank_warning(JudgedMetric& judged) {
 // results. Imported labels are compared only with the control, and these pairs are a second family.
 std::vector<Comparison> comparisons_of(const JudgedMetric& metric, const ImportedResults& imported,
                                        std::size_t metrics) {
-  if (imported.labels.empty()) return compare(metric.samples, metric.plan, metrics);
+  if (imported.labels.empty()) return compare_pairs(metric.samples, metric.plan, metrics);
   MetricSamples own = metric.samples;
   std::erase_if(own.groups, [&](const Group& group) { return imported.has(group.name); });
   AnalysisPlan own_plan = metric.plan;
   if (imported.is_control_chosen) own_plan.control.clear();
-  std::vector<Comparison> comparisons = compare(own, own_plan, metrics);
+  std::vector<Comparison> comparisons = compare_pairs(own, own_plan, metrics);
   std::erase_if(comparisons, [&](const Comparison& comparison) {
     return comparison.first != metric.plan.control && comparison.second != metric.plan.control;
   });
   MetricSamples others = metric.samples;
   std::erase_if(others.groups,
                 [&](const Group& group) { return !imported.has(group.name) && group.name != metric.plan.control; });
-  for (Comparison& comparison : compare(others, metric.plan, metrics)) comparisons.push_back(std::move(comparison));
+  for (Comparison& comparison : compare_pairs(others, metric.plan, metrics))
+    comparisons.push_back(std::move(comparison));
   return comparisons;
 }
 
@@ -177,7 +178,7 @@ bool is_reported(const Metric& metric, const results::StudyDefinition& study, bo
 }  // namespace
 
 JudgedMetric judge(MetricSamples samples, const AnalysisPlan& plan) {
-  std::vector<Comparison> comparisons = compare(samples, plan);
+  std::vector<Comparison> comparisons = compare_pairs(samples, plan);
   return judge(std::move(samples), plan, std::move(comparisons));
 }
 

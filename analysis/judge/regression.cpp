@@ -200,7 +200,7 @@ std::vector<std::vector<std::vector<Comparison>>> all_comparisons(const std::vec
     all.emplace_back(judged.size());
     for (std::size_t m = 0; m < judged.size(); ++m) {
       if (gates[i].is_identical && !gates[i].label.empty() && !is_time(judged[m]))
-        all[i][m] = compare(judged[m].samples, judged[m].plan, metrics);
+        all[i][m] = compare_pairs(judged[m].samples, judged[m].plan, metrics);
       else
         families[family_of(gates[i], judged[m])].emplace_back(i, m);
     }
@@ -209,7 +209,7 @@ std::vector<std::vector<std::vector<Comparison>>> all_comparisons(const std::vec
     std::vector<FamilyMember> members;
     for (const auto& [i, m] : places)
       members.push_back({&gates[i].judged.metrics[m].samples, &gates[i].judged.metrics[m].plan});
-    std::vector<std::vector<Comparison>> found = compare(members, metrics);
+    std::vector<std::vector<Comparison>> found = compare_pairs(members, metrics);
     for (std::size_t k = 0; k < places.size(); ++k) all[places[k].first][places[k].second] = std::move(found[k]);
   }
   return all;
@@ -272,8 +272,8 @@ void add_outcome(RegressionCheck& gate, const JudgedMetric& judged) {
 
 }  // namespace
 
-RegressionCheck gate(StudyResults study, const std::string& candidate, const std::string& baseline,
-                     RegressionOptions options, const std::string& label) {
+RegressionCheck check_regression(StudyResults study, const std::string& candidate, const std::string& baseline,
+                                 RegressionOptions options, const std::string& label) {
   refuse_what_the_plan_lacks(options, study.definition);
   const Solves ours = study.of(candidate), theirs = study.of(baseline);
   const auto place = [](const SolveSummary& solve) { return std::pair(solve.run, solve.point); };
@@ -309,7 +309,7 @@ RegressionCheck gate(StudyResults study, const std::string& candidate, const std
   return gate;
 }
 
-RegressionCheck gate(StudyResults baseline, StudyResults candidate, RegressionOptions options) {
+RegressionCheck check_regression(StudyResults baseline, StudyResults candidate, RegressionOptions options) {
   refuse_other_task(baseline, candidate);
   const std::string label = candidate.labels.front();
   const bool are_of_this_clock = std::ranges::all_of(baseline.sessions, uses_current_clock) &&
@@ -329,7 +329,7 @@ RegressionCheck gate(StudyResults baseline, StudyResults candidate, RegressionOp
                             "with OLD), or leave out --time-margin"));
   StudyResults study =
       study_of_both(baseline, std::move(candidate), options.time_margin ? *turns : std::map<int, int>());
-  RegressionCheck both = gate(std::move(study), now_label, before_label, std::move(options), label);
+  RegressionCheck both = check_regression(std::move(study), now_label, before_label, std::move(options), label);
   for (JudgedMetric& metric : both.judged.metrics) {  // times of different sessions are never comparable
     if (!is_time(metric) || both.counts_times()) continue;
     metric.samples.warnings.clear();

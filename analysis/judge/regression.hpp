@@ -38,7 +38,7 @@ struct MetricOutcome {
   bool is_deciding = true;  // false: the metric is not in the plan, or the user left it out
 };
 
-// A comparison of one candidate with its baseline. Made by `gate`, and judged by `judge_all`.
+// A comparison of one candidate with its baseline. Made by `check_regression`, and judged by `judge_all`.
 struct RegressionCheck {
   std::string label = {};                     // in both stores; empty: two solvers of one store
   std::string candidate = {}, baseline = {};  // the labels in `judged`
@@ -67,11 +67,11 @@ struct RegressionCheck {
 // pair has the p that it has in the study's report; with a control that is neither of the two, the p of a report
 // without a control. Throws LacksSolves if the two do not have the same solves, and std::invalid_argument if the
 // options ask for metrics that the plan does not name.
-RegressionCheck gate(StudyResults study, const std::string& candidate, const std::string& baseline,
-                     RegressionOptions options = {}, const std::string& label = "");
+RegressionCheck check_regression(StudyResults study, const std::string& candidate, const std::string& baseline,
+                                 RegressionOptions options = {}, const std::string& label = "");
 // Makes the check of one solver in two stores, by the baseline's plan. Times decide only if the two stores were solved
 // in turn. Throws std::invalid_argument also if the tasks differ.
-RegressionCheck gate(StudyResults baseline, StudyResults candidate, RegressionOptions options = {});
+RegressionCheck check_regression(StudyResults baseline, StudyResults candidate, RegressionOptions options = {});
 // Judges all checks, of which there must be at least one. The pairs of a metric in all checks are one family, which has
 // the significance of a report.
 void judge_all(std::vector<RegressionCheck>& gates);

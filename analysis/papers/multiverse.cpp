@@ -52,7 +52,7 @@ InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, c
     MetricSamples samples = empty_samples(*claim.metrics.front());
     samples.groups = {multiverse.means[one][metric], multiverse.means[other][metric]};
     if (claim.of == Of::spread) samples = deviations(samples);
-    return place->second = verdict_of(compare(samples, of_pair).front());
+    return place->second = verdict_of(compare_pairs(samples, of_pair).front());
   };
   InReadings counts;
   std::map<std::string, std::int64_t> failing;  // readings, by setting

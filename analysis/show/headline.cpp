@@ -112,10 +112,10 @@ Ranking ranking_of(const std::vector<Statement>& statements) {
   return ranking;
 }
 
-using Ratios = std::vector<std::pair<std::string, double>>;  // by solver
+using SolverRatios = std::vector<std::pair<std::string, double>>;  // by solver
 
 // Returns "; B takes 3 times as long, C 4 times"; of many solvers "; 6 others take 2 to 10 times as long".
-std::string ratios_text(const Ratios& ratios, const TieBreakerWords& words, const std::string& reference) {
+std::string ratios_text(const SolverRatios& ratios, const TieBreakerWords& words, const std::string& reference) {
   if (ratios.empty()) return "";
   if (ratios.size() < max_named) {
     Names texts;
@@ -124,7 +124,7 @@ std::string ratios_text(const Ratios& ratios, const TieBreakerWords& words, cons
           fmt::format("{} {}{}", name, texts.empty() ? fmt::format("{} ", words.takes) : "", ratio_text(ratio)));
     return fmt::format("; {} {}{}", fmt::join(texts, ", "), words.as, reference);
   }
-  const auto [smallest, largest] = std::ranges::minmax(ratios, {}, &Ratios::value_type::second);
+  const auto [smallest, largest] = std::ranges::minmax(ratios, {}, &SolverRatios::value_type::second);
   const bool are_equal = ratio_text(smallest.second) == ratio_text(largest.second);
   const std::string from = are_equal ? "" : number_text(smallest.second, 2) + " to ";
   return fmt::format("; {} others {} {}{} {}{}", ratios.size(), words.take, from, ratio_text(largest.second), words.as,
@@ -377,7 +377,7 @@ class QuestionTeller {
     const std::string leader = *std::ranges::max_element(ranking.best, {}, [&](const std::string& name) {
       return std::ranges::count_if(ranking.losers, [&](const std::string& loser) { return is_better(name, loser); });
     });
-    const Ratios ratios = ratios_to(leader, ranking.losers);
+    const SolverRatios ratios = ratios_to(leader, ranking.losers);
     if (!holds_for_pairs(ranking.best, ranking.losers, is_better))
       return fmt::format("None is shown to {} than {}{}", words.be_better, leader, ratios_text(ratios, words, ""));
     const bool is_one = ranking.best.size() == 1;
@@ -388,8 +388,8 @@ class QuestionTeller {
                        below_margin(are_small), ratios_text(ratios, words, is_one ? "" : " as " + leader));
   }
   // Returns the ratios of the losers that the leader beats, where they are known.
-  Ratios ratios_to(const std::string& leader, const Names& losers) const {
-    Ratios ratios;
+  SolverRatios ratios_to(const std::string& leader, const Names& losers) const {
+    SolverRatios ratios;
     for (const std::string& loser : losers) {
       const Comparison* const pair = pairs_.find(leader, loser);
       if (pair == nullptr || !pairs_.is_better(leader, loser)) continue;

@@ -360,14 +360,14 @@ TEST_CASE("one number for each label is no measurement, unless somebody says so"
     return two;
   };
   MetricSamples of = observations(unrelated(text));
-  CHECK(is_not_tested(judge::compare(of, {}).front(), NotTestedReason::copies));
+  CHECK(is_not_tested(judge::compare_pairs(of, {}).front(), NotTestedReason::copies));
   CHECK(finding(unrelated(one_varies)).verdict == Verdict::worse);
   CHECK(finding(text, rows).verdict == Verdict::worse);
   CHECK(finding(text, views).verdict == Verdict::worse);
   CHECK(observations(text, views).warnings.front().kind == WarningKind::may_be_one_measurement);
   CHECK(observations(one_varies, views).warnings.empty());
   const MetricSamples shares = observations("s,v\nA,1\nA,1\nA,1\nB,0\nB,0\nB,0\n");
-  CHECK_FALSE(is_not_tested(judge::compare(shares, {}).front(), NotTestedReason::copies));
+  CHECK_FALSE(is_not_tested(judge::compare_pairs(shares, {}).front(), NotTestedReason::copies));
 }
 
 // A against B, the last values of a group being infinite.
@@ -392,8 +392,8 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
   CHECK(*all.p == Approx(2 / 184756.0));  // 2 / C(20, 10)
   CHECK(!all.estimate);
   CHECK(*all.effect == 1);
-  CHECK(
-      is_not_tested(judge::compare(observations(with_infinite(10, 10), rows), {}).front(), NotTestedReason::no_answer));
+  CHECK(is_not_tested(judge::compare_pairs(observations(with_infinite(10, 10), rows), {}).front(),
+                      NotTestedReason::no_answer));
   const Seen turned = better_first(finding(with_infinite(10, 2), blocks), "");
   CHECK(turned.first == "B");
   CHECK(turned.verdict == Verdict::better);
@@ -403,7 +403,7 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
   CHECK(finding(with_infinite(2, 2), rows, "5%").verdict == Verdict::inconclusive);
   const MetricSamples samples = observations(with_infinite(0, 3), rows);
   CHECK(warning_text(samples.warnings.front()) == "3 of 20 values are no answers (B)");
-  CHECK(is_not_tested(judge::compare(samples, {.test = AnalysisPlan::Test::means}).front(),
+  CHECK(is_not_tested(judge::compare_pairs(samples, {.test = AnalysisPlan::Test::means}).front(),
                       NotTestedReason::infinite_values));
   CHECK(std::isinf(describe(samples.groups[1]).mean));
   CHECK(describe(samples.groups[1]).median == 11);

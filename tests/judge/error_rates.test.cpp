@@ -81,7 +81,7 @@ double counted(const Row& row, const MetricSamples& of, std::size_t k) {
     const std::vector<OmnibusTest> tests = anova(of);
     return tests.size() > 1 && tests.back().p < 0.05;
   }
-  const std::vector<Comparison> comparisons = compare(of, row.plan);
+  const std::vector<Comparison> comparisons = compare_pairs(of, row.plan);
   if (row.counts == Counts::interval_without_truth) {
     double intervals = 0, wrong = 0;
     for (const Comparison& each : comparisons) {
@@ -275,7 +275,7 @@ show::ReportModel drawn_answer(Random& random, std::size_t k, double least_solve
   const AnalysisPlan plan;
   std::vector<JudgedMetric> metrics;
   for (MetricSamples* const samples : {&solved, &times, &evaluations})  // which the plan names
-    metrics.push_back(judge(*samples, plan, compare(*samples, plan, 3)));
+    metrics.push_back(judge(*samples, plan, compare_pairs(*samples, plan, 3)));
   return show::make_report_model(std::move(metrics), 0, plan.tie_breakers);
 }
 

@@ -25,7 +25,7 @@ StudyResults version(
 
 RegressionCheck gate_of(const StudyResults& before, const StudyResults& after, std::size_t labels = 1,
                         const RegressionOptions& options = {}) {
-  std::vector<RegressionCheck> gates(labels, gate(before, after, options));
+  std::vector<RegressionCheck> gates(labels, check_regression(before, after, options));
   judge_all(gates);
   return gates.front();
 }
@@ -33,7 +33,7 @@ RegressionCheck gate_of(const StudyResults& before, const StudyResults& after, s
 // Of two labels of one study.
 RegressionCheck gate_of(StudyResults both, const std::string& candidate, const std::string& baseline,
                         const RegressionOptions& options = {}) {
-  std::vector<RegressionCheck> gates{gate(std::move(both), candidate, baseline, options)};
+  std::vector<RegressionCheck> gates{check_regression(std::move(both), candidate, baseline, options)};
   judge_all(gates);
   return gates.front();
 }
@@ -175,8 +175,8 @@ StudyResults in_turns(int turns, int lag, double seconds) {
 TEST_CASE("times of two that solved in turn decide; too few turns and other sessions are no pass") {
   const auto gates_of = [](int turns, int lag, double factor, std::size_t labels = 1) {
     const RegressionOptions by_times{.time_margin = 0.1};
-    std::vector<RegressionCheck> gates(labels,
-                                       gate(in_turns(turns, 0, 1e-5), in_turns(turns, lag, factor * 1e-5), by_times));
+    std::vector<RegressionCheck> gates(
+        labels, check_regression(in_turns(turns, 0, 1e-5), in_turns(turns, lag, factor * 1e-5), by_times));
     judge_all(gates);
     return gates;
   };
@@ -191,14 +191,14 @@ TEST_CASE("times of two that solved in turn decide; too few turns and other sess
   CHECK_THROWS_AS(gates_of(1, 1, 1), std::invalid_argument);
   StudyResults whole = in_turns(6, 0, 1e-5);  // a study's own turns are those of no other
   for (results::Session& session : whole.sessions) session.environment.erase("shard");
-  CHECK_THROWS_AS(gate(whole, in_turns(6, 1, 1e-5), {.time_margin = 0.1}), std::invalid_argument);
+  CHECK_THROWS_AS(check_regression(whole, in_turns(6, 1, 1e-5), {.time_margin = 0.1}), std::invalid_argument);
   StudyResults former = in_turns(6, 0, 1e-5);
   for (results::Session& session : former.sessions) session.environment.erase("state");
-  CHECK_THROWS_WITH(gate(former, in_turns(6, 1, 1e-5), {.time_margin = 0.1}),
+  CHECK_THROWS_WITH(check_regression(former, in_turns(6, 1, 1e-5), {.time_margin = 0.1}),
                     ContainsSubstring("the clock of a former version"));
   StudyResults hot = in_turns(6, 0, 1e-5);
   for (results::Session& session : hot.sessions) session.environment["state"] = "hot";
-  CHECK_THROWS_WITH(gate(hot, in_turns(6, 1, 1e-5), {.time_margin = 0.1}),
+  CHECK_THROWS_WITH(check_regression(hot, in_turns(6, 1, 1e-5), {.time_margin = 0.1}),
                     ContainsSubstring("before second calls on a target"));
   const RegressionCheck told = gate_of(hot, in_turns(6, 1, 1e-5));
   const auto time = std::ranges::find(told.judged.metrics, "s", [](auto& each) { return each.samples.unit; });
@@ -290,11 +290,12 @@ TEST_CASE("--metric chooses of the plan's metrics those that decide, and changes
   CHECK(exit_code({one}, false) == 0);
   for (std::size_t i = 0; i < all.judged.metrics.size(); ++i)
     CHECK(seen(all.judged.metrics[i].comparisons.front()).p == seen(one.judged.metrics[i].comparisons.front()).p);
-  CHECK_THROWS_WITH(gate(before, after, {.metrics = {"motion"}}),
+  CHECK_THROWS_WITH(check_regression(before, after, {.metrics = {"motion"}}),
                     ContainsSubstring("names solved, time and evaluations"));
-  CHECK_THROWS_WITH(gate(before, after, {.metrics = {"time"}}), ContainsSubstring("--time-margin 10%"));
-  CHECK_THROWS_WITH(gate(in_turns(6, 0, 1e-5), in_turns(6, 1, 1e-5), {.time_margin = 0.1, .metrics = {"solved"}}),
-                    ContainsSubstring("add time to --metric"));
+  CHECK_THROWS_WITH(check_regression(before, after, {.metrics = {"time"}}), ContainsSubstring("--time-margin 10%"));
+  CHECK_THROWS_WITH(
+      check_regression(in_turns(6, 0, 1e-5), in_turns(6, 1, 1e-5), {.time_margin = 0.1, .metrics = {"solved"}}),
+      ContainsSubstring("add time to --metric"));
   const auto crash = [](SolveRecord& solve) { solve.status = Status::crashed; };  // is no metric's
   CHECK(exit_code({gate_of(before, version(1, of_100, crash), 1, {.metrics = {"evaluations"}})}, false) == 3);
 }
@@ -389,7 +390,7 @@ TEST_CASE("labels of another machine change no p of a study's own pairs") {
       std::erase_if(others.groups, [](const Group& group) {
         return group.name != "A" && group.name.find("of them") == std::string::npos;
       });
-      for (const Comparison& comparison : compare(others, its->plan, names_in_plan(both.study.definition).size()))
+      for (const Comparison& comparison : compare_pairs(others, its->plan, names_in_plan(both.study.definition).size()))
         CHECK(seen(*find_comparison(*its, comparison.first, comparison.second)).p == seen(comparison).p);
     }
   }
@@ -407,8 +408,9 @@ TEST_CASE("a name of the plan is one family, whichever of its metrics a label ha
   const auto p_of = [](const RegressionCheck& gate, const char* column) {
     return *seen(find_metric(gate.judged, column)->comparisons.front()).p;
   };
-  std::vector<RegressionCheck> both{gate(version(1, of_100, solve_all), version(2, of_100, solve_all_by_more)),
-                                    gate(version(1), version(2, of_100, take_more))};
+  std::vector<RegressionCheck> both{
+      check_regression(version(1, of_100, solve_all), version(2, of_100, solve_all_by_more)),
+      check_regression(version(1), version(2, of_100, take_more))};
   std::vector<RegressionCheck> alone{both.front()}, other{both.back()};
   for (std::vector<RegressionCheck>* const gates : {&both, &alone, &other}) judge_all(*gates);
   CHECK(p_of(both[0], "evaluations") == std::min(1.0, 2 * p_of(alone[0], "evaluations")));

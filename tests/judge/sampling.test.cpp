@@ -109,8 +109,8 @@ TEST_CASE("A solver whose runs repeat each other bit for bit has one observation
   const StudyResults of = study(chained, as_one);
   const Group alone = group(observed(of), "A");
   CHECK(list_of(alone) == Numbers{0.5});
-  CHECK(repeats_itself(alone));
-  CHECK_FALSE(repeats_itself(group(observed(of), "B")));
+  CHECK(is_deterministic(alone));
+  CHECK_FALSE(is_deterministic(group(observed(of), "B")));
   CHECK(list_of(group(observed(of), "B")).size() == 5);
   CHECK(list_of(group(observed(of, "seconds"), "A")).size() == 5);  // sessions
   CHECK(list_of(group(observed(of, "evaluations"), "A")).size() == 5);

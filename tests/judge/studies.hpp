@@ -67,7 +67,7 @@ inline Seen seen(const Comparison& comparison) {
 }
 inline std::vector<Seen> compared(const MetricSamples& samples, const AnalysisPlan& plan, std::size_t metrics = 1) {
   std::vector<Seen> all;
-  for (const Comparison& comparison : compare(samples, plan, metrics)) all.push_back(seen(comparison));
+  for (const Comparison& comparison : compare_pairs(samples, plan, metrics)) all.push_back(seen(comparison));
   return all;
 }
 inline Seen better_first(const Seen& all, std::string_view control) {

@@ -1,4 +1,4 @@
-// The samples of one metric, one per group: the input of `compare` and `describe`. `sampling.hpp` makes them from
+// The samples of one metric, one per group: the input of `compare_pairs` and `describe`. `sampling.hpp` makes them from
 // solves, `csv/user_csv.hpp` from a table. What must not be compared was settled before: groups with missing or
 // incomparable values arrive here as ExcludedSample.
 #pragma once
@@ -90,7 +90,7 @@ inline const ExcludedSample* excluded(const Group& group) { return std::get_if<E
 // Returns the values of a group; null if the group is excluded or has only a printed summary.
 inline const Sample* sample_of(const Group& group) { return std::get_if<Sample>(&group.sample); }
 // Returns whether the solver of a group is deterministic.
-inline bool repeats_itself(const Group& group) { return sample_of(group) && sample_of(group)->is_deterministic; }
+inline bool is_deterministic(const Group& group) { return sample_of(group) && sample_of(group)->is_deterministic; }
 // Returns whether all values of a group are equal, and may be copies of one measurement.
 inline bool is_constant(const Group& group) { return sample_of(group) && sample_of(group)->is_constant; }
 // Returns how many values are missing.

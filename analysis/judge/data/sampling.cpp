@@ -178,7 +178,7 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   if (missing > 0)
     group.sample = ExcludedSample{
         .reason = ExclusionReason::missing_values, .missing = missing, .values = std::move(measured.values)};
-  else if (!is_paired && are_equal && repeats_itself(study, solver))
+  else if (!is_paired && are_equal && is_deterministic(study, solver))
     group.sample = Sample{.values = {measured.values.front()}, .is_deterministic = true};
   else
     group.sample = std::move(measured);

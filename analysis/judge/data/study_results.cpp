@@ -289,7 +289,7 @@ std::vector<Solves> complete_runs_of(const StudyResults& study, std::string_view
   return runs;
 }
 
-bool repeats_itself(const StudyResults& study, std::string_view solver) {
+bool is_deterministic(const StudyResults& study, std::string_view solver) {
   const std::vector<Solves> runs = complete_runs_of(study, solver);
   return runs.size() > 1 && std::ranges::all_of(runs, [&](Solves run) {
            return std::ranges::equal(run, runs.front(), [](const SolveSummary& solve, const SolveSummary& first) {

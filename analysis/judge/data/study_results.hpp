@@ -87,7 +87,7 @@ std::vector<Solves> runs_of(Solves solves);
 std::vector<Solves> complete_runs_of(const StudyResults& study, std::string_view solver);
 // Returns whether a solver is deterministic: all of at least two complete runs have the same targets and answers, bit
 // for bit. Where a value is a run, such runs are copies.
-bool repeats_itself(const StudyResults& study, std::string_view solver);
+bool is_deterministic(const StudyResults& study, std::string_view solver);
 
 // Returns all values that the sessions have for a fact of their environment, such as "cpu".
 std::set<std::string> environment_values(const StudyResults& study, const std::string& name);

@@ -251,7 +251,7 @@ std::vector<Warning> study_warnings(const StudyResults& study) {
   Warning repeating{.kind = WarningKind::deterministic};
   if (!study.definition.draws_targets && study.definition.compares_runs())  // otherwise paired
     std::ranges::copy_if(study.labels, std::back_inserter(repeating.solvers),
-                         [&](const std::string& solver) { return repeats_itself(study, solver); });
+                         [&](const std::string& solver) { return is_deterministic(study, solver); });
   add(warnings, std::move(repeating));
   add(warnings, study.stale_solves);
   return warnings;

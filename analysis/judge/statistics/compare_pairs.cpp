@@ -91,7 +91,7 @@ By method_kind(const MetricSamples& samples, const AnalysisPlan& plan, const Des
 const Method& method_of(const MetricSamples& samples, const AnalysisPlan& plan, const Group& a, const Group& b) {
   const auto is_summary = [](const Group& group) { return std::holds_alternative<SummaryStatistics>(group.sample); };
   const Design design{.is_printed = is_summary(a) || is_summary(b),
-                      .is_against_one = repeats_itself(a) || repeats_itself(b)};
+                      .is_against_one = is_deterministic(a) || is_deterministic(b)};
   const By by = method_kind(samples, plan, design);
   const Methods& row = methods[static_cast<std::size_t>(by)];
   if (design.is_printed) return *row.unpaired;
@@ -118,8 +118,8 @@ struct Pair {
   int n = 0;
   std::optional<NotTested> not_tested = {};  // decided before any p is known
 
-  bool has_deterministic() const { return repeats_itself(*a) || repeats_itself(*b); }
-  bool are_both_deterministic() const { return repeats_itself(*a) && repeats_itself(*b); }
+  bool has_deterministic() const { return is_deterministic(*a) || is_deterministic(*b); }
+  bool are_both_deterministic() const { return is_deterministic(*a) && is_deterministic(*b); }
 };
 
 // Returns whether two groups have different blocks, so that only some are common.
@@ -543,11 +543,11 @@ std::set<std::string> beaten_solvers(const std::vector<Comparison>& comparisons)
   return beaten;
 }
 
-std::vector<Comparison> compare(const MetricSamples& samples, const AnalysisPlan& plan, std::size_t metrics) {
-  return std::move(compare({{&samples, &plan}}, metrics).front());
+std::vector<Comparison> compare_pairs(const MetricSamples& samples, const AnalysisPlan& plan, std::size_t metrics) {
+  return std::move(compare_pairs({{&samples, &plan}}, metrics).front());
 }
 
-std::vector<std::vector<Comparison>> compare(const std::vector<FamilyMember>& family, std::size_t metrics) {
+std::vector<std::vector<Comparison>> compare_pairs(const std::vector<FamilyMember>& family, std::size_t metrics) {
   std::vector<std::vector<Pair>> members;
   std::vector<std::vector<Group>> sorted;
   for (const FamilyMember& member : family) sorted.push_back(sorted_groups(*member.samples));

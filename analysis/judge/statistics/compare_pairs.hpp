@@ -1,6 +1,6 @@
-// Compares groups pair by pair. Every comparison in the program goes through `compare`, so that studies, CSV files,
-// regression checks and papers' claims have one rule. A pair costs about 10 ms for thousands of values, and no pair
-// holds a copy of its values. docs/explanation/methods.md explains the tests and the correction of p.
+// Compares groups pair by pair. Every comparison in the program goes through `compare_pairs`, so that studies, CSV
+// files, regression checks and papers' claims have one rule. A pair costs about 10 ms for thousands of values, and no
+// pair holds a copy of its values. docs/explanation/methods.md explains the tests and the correction of p.
 #pragma once
 
 #include <cstddef>
@@ -119,7 +119,7 @@ bool all_values_equal(const Comparison& comparison);
 // that samples of these sizes could decide at all; `metrics` is the number of metrics that share the significance.
 // Throws std::invalid_argument if the control is no group. Preconditions: paired groups without blocks have equal
 // sizes, and values that are compared by ratios are above 0, or have a floor above 0.
-std::vector<Comparison> compare(const MetricSamples& samples, const AnalysisPlan& plan, std::size_t metrics = 1);
+std::vector<Comparison> compare_pairs(const MetricSamples& samples, const AnalysisPlan& plan, std::size_t metrics = 1);
 
 // One metric of one study in a family of several, such as the studies of all labels that two stores have.
 struct FamilyMember {
@@ -127,7 +127,7 @@ struct FamilyMember {
   const AnalysisPlan* plan;
 };
 // Compares the pairs of all members, which share one significance. Returns the comparisons of each member.
-std::vector<std::vector<Comparison>> compare(const std::vector<FamilyMember>& family, std::size_t metrics);
+std::vector<std::vector<Comparison>> compare_pairs(const std::vector<FamilyMember>& family, std::size_t metrics);
 
 // Returns whether a verdict is better or worse.
 bool is_difference(Verdict verdict);

@@ -16,7 +16,7 @@ namespace {
 // Returns whether the values of a group were drawn by chance, and not by a deterministic solver.
 bool has_chance(const Group& group) {
   return std::holds_alternative<SummaryStatistics>(group.sample) ||
-         (!excluded(group) && !repeats_itself(group) && !values_of(group).empty());
+         (!excluded(group) && !is_deterministic(group) && !values_of(group).empty());
 }
 
 OmnibusTest with_p(OmnibusTest test) {

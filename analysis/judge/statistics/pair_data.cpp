@@ -42,7 +42,7 @@ SummaryStatistics summary_of(const Group& group, const std::vector<double>& valu
 }
 
 bool is_one_value(const Group& group) {
-  return values_of(group).size() == 1 || repeats_itself(group) || is_constant(group);
+  return values_of(group).size() == 1 || is_deterministic(group) || is_constant(group);
 }
 
 // Returns the differences of the values with the same place. A single value is compared with all of the other group.
