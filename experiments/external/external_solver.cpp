@@ -37,7 +37,7 @@ std::unique_ptr<ChildProcess> restarted(const Program& program) {
       throw std::invalid_argument("the files of " + program.choice.process[0] + " changed while it ran");
     Hello hello;
     return launch(program.choice, program.folder, hello);
-  } catch (const std::invalid_argument& error) {  // the program started before, so this is no result of it
+  } catch (const std::invalid_argument& error) {  // the program started before, so this is no result of the program
     throw std::runtime_error(fmt::format("{}; run the study again, and it goes on", error.what()));
   }
 }
@@ -104,8 +104,9 @@ struct ExternalSolver::Exchange {
 };
 
 std::optional<double> credible_report(const ProcessReport& report) {
-  const bool is_credible =
-      report.cpu_seconds > 0 && report.reported_seconds >= min_credible_seconds(report.cpu_seconds);
+  // A share of a batch may be too small for a double, and no solve takes 0 s.
+  const bool is_credible = report.cpu_seconds > 0 && report.reported_seconds > 0 &&
+                           report.reported_seconds >= min_credible_seconds(report.cpu_seconds);
   return is_credible ? std::optional(report.reported_seconds) : std::nullopt;
 }
 
@@ -258,7 +259,7 @@ void ExternalSolver::exchange_solve(const Problem& problem, Objective& objective
   report_ = {};
   const SolveQuestion question{.text = solve_message(problem, objective.goal(), stop_, seed), .seed = seed};
   if (is_batched()) take_batch_report(question);
-  if (report_.failure) {  // of the whole batch, and recorded when the batch failed
+  if (report_.failure) {  // the failure of the whole batch was recorded when the batch failed
     best_.error = infinite_error;
     return;
   }
@@ -270,7 +271,7 @@ void ExternalSolver::take_batch_report(const SolveQuestion& question) {
   if (!worker_.answers.contains(question.text)) {
     if (!worker_.answers.empty()) clear_batch();  // the last batch was sent, so this question begins the next one
     worker_.batch.push_back(question);
-    worker_.batch_report = {.failure = Status::declined};
+    worker_.batch_report = {.failure = Status::declined};  // until the batch is sent
   }
   report_ = worker_.batch_report;
 }

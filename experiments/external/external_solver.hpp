@@ -26,13 +26,14 @@ struct ProcessReport {
   std::optional<results::Status> failure;
   double cpu_seconds = 0;  // [s], of the program
   solvers::StopReason stopped = solvers::StopReason::finished;
-  bool ignored_budget = false;  // the program asked for more evaluations after it was told that its budget is used up
-  // The side that counted the evaluations. It is not `ikbench` if the answer is none of the candidates evaluated here,
-  // or if too few were evaluated here to find the answer. Then the program has its own kinematics, and `evaluations` is
-  // the self-reported count.
+  bool ignored_budget =
+      false;  // the program asked for more evaluations after ikbench had said that its budget is used up
+  // The side that counted the evaluations. It is not `ikbench` if the program reports more evaluations than were made
+  // here, or if those made here do not explain the answer. Then `evaluations` is the larger count; 0 if the program
+  // reports none.
   results::CountedBy counted_by = results::CountedBy::none;
   std::int64_t evaluations = 0, iterations = 0;
-  std::vector<double> trace = {};  // errors of the evaluations made here, as in Solution
+  std::vector<double> trace = {};  // [m], best error after each request to evaluate but the first
   solvers::Improvements improved = {};
   double reported_error = std::numeric_limits<double>::quiet_NaN();    // [m], self-reported; NaN: none
   double reported_seconds = std::numeric_limits<double>::quiet_NaN();  // [s], self-reported; NaN: none
@@ -40,11 +41,11 @@ struct ProcessReport {
   double seconds = 0;                                                  // [s], the share of a batch's wall time
 };
 
-// Returns the self-reported time [s] of a program if its processor time is known and leaves room for the report;
-// nothing otherwise.
+// Returns the self-reported time [s] of a program if its processor time is known and the program cannot have taken
+// longer; nothing otherwise.
 std::optional<double> credible_report(const ProcessReport& report);
-// Returns the time [s] that a program took: its self-reported one, or its processor time if that leaves no room for the
-// report; `wall` [s] if it reports nothing.
+// Returns the time [s] that a program took: the self-reported one, but at least what its processor time needs; `wall`
+// [s] if the program reports none.
 double credible_seconds(const ProcessReport& report, double wall);
 
 // A running process of a program, and what is kept of it from solve to solve.
@@ -52,7 +53,7 @@ struct WorkerProcess {
   std::unique_ptr<ChildProcess> child = {};  // null until it is needed, and after a failure
   int failures_in_a_row = 0;
   std::string last_failure = {};      // "crashed: it ended (exit code 3); its last words: ..."; empty: none so far
-  std::set<std::string> extras = {};  // names
+  std::set<std::string> extras = {};  // names of extras so far
   std::optional<ProcessFailure> given_up = {};  // set if the program is given up
   std::vector<SolveQuestion> batch = {};
   std::map<std::string, std::optional<Message>> answers = {};  // by the text of a question; none: the batch failed
@@ -108,8 +109,8 @@ class ExternalSolver final : public solvers::Searcher {
   bool finished() const override { return true; }
   const ProcessReport& report() const { return report_; }
   bool is_given_up() const { return worker_.given_up.has_value(); }
-  // Counts a failure. Call it after a solve that counts: its failure becomes the last one of all, and the third in a
-  // row gives the program up.
+  // Counts the failure of the last solve, or ends the row of failures if the solve had none. Call it after each solve
+  // that counts. The worker keeps the failure as `last_failure`; the third in a row gives the program up.
   void count_failure();
 
  private:

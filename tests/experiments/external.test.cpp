@@ -45,6 +45,7 @@ TEST_CASE("a program's own time is believed if its processor time leaves room fo
   CHECK(believed(0.01, 0.022) == 0.01);  // two threads
   CHECK(!believed(0.01, 0.05));          // more threads, or too short a report
   CHECK(!believed(0.01, 0));             // its processor time is not known
+  CHECK(!believed(0, 0.001));            // a share of a batch that is too small for a double
   CHECK(!believed(std::nan(""), 0.01));  // it reports nothing
 }
 
