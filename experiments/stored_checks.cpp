@@ -198,6 +198,10 @@ void check(const StudyDefinition& study, const Robot& arm, SolverKind kind, cons
   if (solve.status == Status::not_finite && solve.stop_reason != StopReason::not_finite &&
       std::isfinite(computed.position_error + computed.orientation_error))
     refuse(solve, "its status is not_finite, but its numbers are finite");
+  if (kind != SolverKind::program && solve.seconds != solve.wall_seconds)
+    refuse(solve, "its seconds are not its wall_seconds, and only a program has a time of its own");
+  if (solve.all_answers_rad.size() % solve.answer_rad.size() != 0)
+    refuse(solve, "its all_answers_rad are not answers of as many joints");
   if (!has_check_results(study, solve)) refuse(solve, "its status or extras are not what the study's check gives");
   if (!is_sound(solve.status) && solve.status != Status::invalid && solve.status != Status::limit_violated)
     return;                         // the answer is not stored: the arm stayed, or the reported error decided

@@ -89,7 +89,7 @@ succeeds verify archived.sqlite --seal "${seal^^}"
 has "$(xargs <.out)" "It has the given seal"
 refused "64 hexadecimal digits" verify archived.sqlite --seal 1234
 refused 'no seal' verify made/store.sqlite --seal "$seal"
-forge="UPDATE solves SET seconds = seconds * 0.8, cpu_seconds = cpu_seconds * 0.8 WHERE label = 'BA'"
+forge="UPDATE solves SET seconds = seconds * 0.8, wall_seconds = seconds * 0.8, cpu_seconds = cpu_seconds * 0.8 WHERE label = 'BA'"
 cp archived.sqlite forged.sqlite
 sqlite3 forged.sqlite "$forge"
 refused "its seal was $seal when" verify forged.sqlite

@@ -111,6 +111,8 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
       {": seconds is 0, which no solve has", [](SolveRecord& solve) { solve.seconds = 0; }},
       {"cpu_seconds is inf, which no solve has", [](SolveRecord& solve) { solve.cpu_seconds = INFINITY; }},
       {"wall_seconds is -1, which no solve has", [](SolveRecord& solve) { solve.wall_seconds = -1; }},
+      {"seconds are not its wall_seconds", [](SolveRecord& solve) { solve.seconds /= 2; }},
+      {"all_answers_rad are not", [](SolveRecord& solve) { solve.all_answers_rad = {1}; }},
       {"reported_error_cm", [](SolveRecord& solve) { solve.reported_error_cm += 1e-3; }},
       {"reported_error_cm is nan, but ", [](SolveRecord& solve) { solve.reported_error_cm = not_a_number; }},
       {"status is not_finite, but ", [](SolveRecord& solve) { solve.status = Status::not_finite; }},
