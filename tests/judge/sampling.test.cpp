@@ -213,7 +213,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   const auto one_slow = [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = solve.run == 1 ? 9 : 1; };
   CHECK(compared(times(study(chained, one_slow)), {}).front().why ==
         SeenReason::tested);  // though other logarithms are 0
-  for (const Timing timing : {Timing::parallel, Timing::debug_build}) {
+  for (const Timing timing : {Timing::parallel, Timing::debug_build, Timing::elsewhere}) {
     const MetricSamples all = times(study(chained, [&](SolveRecord& solve) {
       if (solve.label == "A") solve.timing = timing;
     }));

@@ -49,12 +49,14 @@ void add(Warnings& warnings, const StudyResults& study, Warning warning, IsMeant
   });
 }
 
-// Returns why no time of a study can be compared, if solves ran in parallel or in a debug build; otherwise empty.
+// Returns why no time of a study can be compared, if solves ran in parallel, in a debug build or elsewhere; otherwise
+// empty.
 std::string unusable_timing(const StudyResults& study) {
   const auto is_any = [&](Timing timing) {
     return std::ranges::count(study.solves, timing, &SolveSummary::timing) > 0;
   };
   if (is_any(Timing::parallel)) return "solved in parallel";
+  if (is_any(Timing::elsewhere)) return "solved elsewhere";
   return is_any(Timing::debug_build) ? "a debug build" : "";
 }
 
