@@ -3,8 +3,10 @@
 #pragma once
 
 #include "analysis/judge/judge.hpp"      // read_study, judge
+#include "analysis/show/headline.hpp"    // headline: its sentence
 #include "analysis/show/publish.hpp"     // write_report: tables, figures and report.html of a report
 #include "analysis/show/report.hpp"      // make_report: what a judged study has to tell
+#include "analysis/show/terminal.hpp"    // terminal_report: its screen
 #include "experiments/runner.hpp"        // run a study, solve_once
 #include "experiments/study/reader.hpp"  // load_study, parse_study
 #include "results/store.hpp"             // every solve

@@ -33,7 +33,7 @@ enum class Status : std::uint8_t {
   misreported,       // the solver reports another error than its answer has
   not_finite,        // the answer is not finite, or sines differ from the C library's
   crashed,           // the program ended, could not be started, or was given up
-  timed_out,         // the program did not answer within its patience
+  timed_out,         // the program did not answer within its timeout
   protocol_error,    // the program's message broke the protocol
   declined,          // the program says that it cannot solve this
   over_budget        // a program or library took far more time or evaluations than the study gives

@@ -39,7 +39,8 @@ void refuse_other_task(const StudyResults& baseline, const StudyResults& candida
 
 // Maps each session of the baseline to the candidate's session of the same round, which is a shard. Empty if the stores
 // were not solved in turn: each round of both must begin before the next one of either, in whole seconds.
-std::optional<std::map<int, int>> turns_of(const std::vector<Session>& ours, const std::vector<Session>& theirs) {
+std::optional<std::map<int, int>> matching_sessions(const std::vector<Session>& ours,
+                                                    const std::vector<Session>& theirs) {
   if (ours.size() < 2 || ours.size() != theirs.size()) return {};
   const auto shard_of = [](const Session& session) {
     const auto shard = session.environment.find("shard");
@@ -79,7 +80,7 @@ StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std:
 
 // Returns the shares of solves that gave any answer. If the load of the machine decides which solves are too late, late
 // ones count as answered.
-MetricSamples observed_answers(const StudyResults& study, bool machine_decides) {
+MetricSamples answered_samples(const StudyResults& study, bool machine_decides) {
   MetricSamples samples{
       .metric = "answers", .quantity = "answered", .better = Better::larger, .kind = Proportions{}, .is_paired = true};
   samples.quantity_kind = QuantityKind::answered;
@@ -127,7 +128,8 @@ void refuse_what_the_plan_lacks(const RegressionOptions& options, const StudyDef
     throw std::invalid_argument("--metric time: times decide by a margin of their own; add --time-margin 10%");
 }
 
-// Returns how many answers are missing where before none was, or where now none is left. Chance may do that, too.
+// Returns how many answers are missing, if the baseline gave all answers or the candidate gives none; otherwise 0.
+// Chance may do that, too.
 int newly_missing(const JudgedMetric& judged) {
   const Descriptives &candidate = judged.descriptives.front(), &baseline = judged.descriptives.back();
   const bool is_new = is_of_answers(judged) && (baseline.mean == 1 || candidate.mean == 0);
@@ -188,8 +190,8 @@ std::string family_of(const RegressionCheck& gate, const JudgedMetric& metric) {
 }
 
 // Returns the comparisons of each metric of each check. Pairs of the metrics that one name of the plan means are one
-// family. If one label solved all targets and another did not, evaluations and those per success are one family, too.
-// Solvers that are the same bit for bit in two stores belong to no family, since no chance is in them.
+// family. If one label solved all targets and another did not, evaluations and evaluations per success are one family.
+// Solvers that are identical in two stores belong to no family but that of times, since no chance is in their answers.
 std::vector<std::vector<std::vector<Comparison>>> all_comparisons(const std::vector<RegressionCheck>& gates) {
   const std::size_t metrics = names_in_plan(gates.front().judged.study.definition).size();
   std::vector<std::vector<std::vector<Comparison>>> all;
@@ -298,7 +300,7 @@ RegressionCheck check_regression(StudyResults study, const std::string& candidat
   StudyResults two = study_of_two(judged.study, candidate, baseline);
   const bool machine_decides = !clock_warnings(two).empty();
   judged.metrics.push_back(
-      {.samples = observed_answers(judged.study, machine_decides), .plan = judged.study.definition.plan});
+      {.samples = answered_samples(judged.study, machine_decides), .plan = judged.study.definition.plan});
   for (JudgedMetric& metric : judged.metrics) {
     if (is_time(metric) && gate.counts_times()) metric.plan.margin = *gate.options.time_margin;
     keep_warnings(metric.samples.warnings, two);
@@ -314,7 +316,7 @@ RegressionCheck check_regression(StudyResults baseline, StudyResults candidate, 
   const std::string label = candidate.labels.front();
   const bool are_of_this_clock = std::ranges::all_of(baseline.sessions, uses_current_clock) &&
                                  std::ranges::all_of(candidate.sessions, uses_current_clock);
-  const auto turns = turns_of(candidate.sessions, baseline.sessions);
+  const auto turns = matching_sessions(candidate.sessions, baseline.sessions);
   const std::string now = timed_calls_text(candidate), before = timed_calls_text(baseline);
   std::string obstacle;  // why no time can be compared
   if (!are_of_this_clock)
@@ -332,7 +334,7 @@ RegressionCheck check_regression(StudyResults baseline, StudyResults candidate, 
   RegressionCheck both = check_regression(std::move(study), now_label, before_label, std::move(options), label);
   for (JudgedMetric& metric : both.judged.metrics) {  // times of different sessions are never comparable
     if (!is_time(metric) || both.counts_times()) continue;
-    metric.samples.warnings.clear();
+    metric.samples.warnings.clear();  // no time decides here, so only the obstacle has to be told
     if (!obstacle.empty())
       metric.samples.warnings.push_back({.kind = WarningKind::times_not_comparable, .detail = obstacle});
   }
@@ -359,7 +361,7 @@ void judge_all(std::vector<RegressionCheck>& gates) {
       JudgedMetric& metric = gate.judged.metrics[m];
       std::vector<Comparison>& comparisons = all[i][m];
       keep_two(gate, metric.samples, comparisons);
-      metric.plan.control = gate.baseline;  // is shown second
+      metric.plan.control = gate.baseline;  // the control is shown second
       metric = judge(std::move(metric.samples), metric.plan, std::move(comparisons));
       Comparison& comparison = metric.comparisons.front();
       // Two labels of one store keep the comparison of the store's report.
@@ -370,8 +372,7 @@ void judge_all(std::vector<RegressionCheck>& gates) {
       }
     }
     for (const JudgedMetric& metric : gate.judged.metrics) add_outcome(gate, metric);
-    const bool is_changed = gate.has(RegressionOutcome::worse) || gate.has(RegressionOutcome::better);
-    if (is_changed || gate.new_failures > 0) gate.is_compared = true;
+    if (gate.new_failures > 0) gate.is_compared = true;
   }
 }
 

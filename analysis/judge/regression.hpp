@@ -24,9 +24,9 @@ struct LacksSolves : std::invalid_argument {
 
 // The result of a regression check in one metric. A metric in which nothing is to be reported has none.
 enum class RegressionOutcome {
-  worse,               // by more than the margin; without a margin, at all
-  worse_below_margin,  // by less than the margin, which is no loss
-  better,              // by more than the margin
+  worse,               // a difference is found, and is not shown to be below the margin
+  worse_below_margin,  // a difference is found, and is below the margin, which is no loss
+  better,              // a difference is found, and is not shown to be below the margin
   inconclusive,
   not_tested
 };
@@ -44,17 +44,18 @@ struct RegressionCheck {
   std::string candidate = {}, baseline = {};  // the labels in `judged`
   RegressionOptions options = {};
   // Until `judge_all` the samples of all labels of the store, then those of the candidate and the baseline. The last
-  // metric is the share of solves that gave an answer. Has no solves of other labels.
+  // metric is the share of solves that gave an answer. The study in it has the two labels only, and no solves.
   JudgedStudy judged = {};
   // In the order of the metrics. Times decide only if the options have a margin for them.
   std::vector<MetricOutcome> outcomes = {};
   std::vector<std::string> newly_unsolved = {};  // targets that only the baseline solved
   std::vector<std::string> newly_solved = {};    // targets that only the candidate solved
   int identical_solves = 0;                      // bit for bit
-  int new_failures = 0;       // missing answers, where before none was or now none is left; fails, even if by chance
-  bool is_identical = false;  // all solves, bit for bit: then only times are left to decide
+  // Missing answers, if the baseline gave all answers or the candidate gives none. They fail the check, even by chance.
+  int new_failures = 0;
+  bool is_identical = false;       // all solves, bit for bit: then only times are left to decide
   bool are_times_missing = false;  // though they decide
-  bool is_compared = true;         // some deciding metric was compared, or something is worse
+  bool is_compared = true;  // a deciding metric was compared, all solves are identical, or there are new failures
 
   bool counts_times() const { return options.time_margin.has_value(); }
   // Returns whether a deciding metric has this outcome.

@@ -79,7 +79,8 @@ std::string not_tested_text(const ReportModel& model, const JudgedMetric& judged
   return reasons.size() == 1 ? fmt::format(" ({})", *reasons.begin()) : "";
 }
 
-// The solvers of a second question by how they stand.
+// The solvers of a second question: those that no other is shown to beat or that are not separated, the worse ones, and
+// those that are not tested.
 struct Ranking {
   Names best, losers, untested;
 };
@@ -272,7 +273,7 @@ class QuestionTeller {
         return same_within_margin();
       case Kind::not_tested:
         return "not tested" + not_tested_text(model_, judged_, statement.solvers);
-      case Kind::no_comparison:  // never against a control, as the others here but `inconclusive`
+      case Kind::no_comparison:  // of these, only `inconclusive` is said against a control
       case Kind::best:
       case Kind::inconclusive:
       case Kind::none_better:

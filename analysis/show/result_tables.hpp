@@ -16,12 +16,12 @@ Table results_table(const ReportModel& model, bool is_brief = false);
 // Solvers by studies: of each study its deciding column, in the order of the first. Each study is judged alone.
 Table studies_table(const std::vector<ReportModel>& studies, const std::vector<std::string>& names);
 Table transposed(const Table& studies);              // of one unit: of so many that they do not stand across
-Table pairs_table(const ReportModel& model);         // a row a pair; first those of the headline, which are told
+Table pairs_table(const ReportModel& model);         // a row a pair; first those that the headline names
 Table tested_pairs_table(const ReportModel& model);  // of the deciding metric; of two groups of all
 Table descriptives_table(const ReportModel& model);
 Table omnibus_table(const ReportModel& model);
 
-// The answer as data: headline, groups, tests, findings and doubts.
+// Returns the report as data: headline, groups, tests, comparisons and warnings.
 nlohmann::ordered_json to_json(const ReportModel& model);
 
 }  // namespace ikbench::show

@@ -37,8 +37,8 @@ std::string fields_by_name(Struct fields, Struct defaults, std::string_view pref
   return text;
 }
 
-// Returns the part of a key for the targets. Fixed targets enter as poses, whatever their kind of path. Drawn ones
-// enter as the fields of the path, the seed and the run.
+// Returns the part of a key for the targets. Fixed targets enter as poses, whatever their kind of path. Random
+// ones enter as the fields of their path; the seed stands elsewhere in the key.
 std::string targets_text(const Study& study) {
   std::string text;
   if (!study.path->is_random()) {
@@ -74,13 +74,14 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
   }
   // This binding does not compile with a new field of SolverEntry. Options and population enter as they are in effect,
   // whether a sweep chose them or not.
-  [[maybe_unused]] const auto& [label, algorithm, options, population, program, if_missing, own, colour, family] =
+  [[maybe_unused]] const auto& [label, solver, options, population, program, if_missing, custom, colour, sweep_base] =
       entry;
-  text += fmt::format("\nsolver {} label {}", algorithm, label);
+  text += fmt::format("\nsolver {} label {}", solver, label);
   if (program) text += fields_by_name(program->choice, ProgramSpec{}, "program.");
   Settings in_effect = effective_options(study, entry);
   if (!program) {
     solver_info(entry).describe([&](const OptionList& list) {
+      // An option that was added after solves had been stored enters only if it differs from its default.
       std::erase_if(in_effect, [&](const auto& setting) {
         const auto option = std::ranges::find(list.options(), setting.first, &Option::name);
         return option->is_later && option->get() == setting.second;

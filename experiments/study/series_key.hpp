@@ -13,11 +13,12 @@ namespace ikbench::experiments {
 // Returns the hash of everything in the study that decides the numbers of one solver, in 16 hexadecimal digits. It
 // draws fixed targets, which takes time.
 std::string configuration_key(const Study& study, const SolverEntry& entry);
-// Returns the digest of the source of the entry's solver: its source file, or the executable and files of a program.
+// Returns the digest of the source of the entry's solver: the source file of a built-in one, the running executable for
+// a custom one, or the executable and files of a program.
 std::string source_digest_of(const SolverEntry& entry);
 // Returns the library of a peer, with its version; empty for other solvers.
 std::string library_name(const SolverEntry& entry);
-// Returns the part of the entry's keys that is made of the source, and of a peer's library.
+// Returns the part of the entry's keys that is made of the shared sources, the solver's source and a peer's library.
 std::string source_key(const SolverEntry& entry);
 // Returns configuration_key and source_key, with a hash of the study's check if there is one. Equal keys mean equal
 // numbers on one machine, unless a solve ends by its wall time.

@@ -75,7 +75,7 @@ refused "names solved, time and evaluations" compare LM SLSQP --store several/st
 refused "--time-margin 10%" compare LM SLSQP --store several/store.sqlite --metric time
 refused "add time" compare LM SLSQP --store several/store.sqlite --metric solved --time-margin 10%
 
-# Programs: three times the evaluations for the same answers are worse (crashes: gate.test.cpp).
+# Programs: three times the evaluations for the same answers are worse (crashes: regression.test.cpp).
 cp "$scripts/studies/gate.toml" .
 pso=$root/docs/examples/pso.py action=$(sed -n 's/^ *run: //p' "$root/action.yml")
 for input in $(sed -n 's/^ *\([A-Z_]*\): \${{ inputs.*/\1/p' "$root/action.yml"); do

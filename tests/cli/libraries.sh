@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What stands beside a study without being solved: the archive of libraries, another store; and what reads a store of
-# libraries. How it is judged: beside.test.cpp.
+# libraries. How it is judged: imported.test.cpp.
 source "$(dirname "$0")/common.sh"
 study mine
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A control loop: what is late or too fast (study.test.cpp) is in its table, its figure and on the page, of an arm of the library and
+# A control loop: what is late or too fast (study_results.test.cpp) is in its table, its figure and on the page, of an arm of the library and
 # of a URDF file.
 source "$(dirname "$0")/common.sh"
 loop=(run tracking-panda --set runs=2 --set path.points=1000 --only LM,Newton --set loop.period_ms=0.05)

@@ -80,7 +80,7 @@ using GroupData = std::variant<Sample, SummaryStatistics, ExcludedSample>;
 struct Group {
   std::string name = {};
   GroupData sample = {};
-  double tolerance = 0;     // smaller values count as this; 0: the metric has no tolerance
+  double tolerance = 0;     // errors only: smaller values count as this; 0: none (costs have Ratios::floor)
   int pooled_n = 0;         // proportions by session only: number of solves; 0: the values are described
   double pooled_share = 0;  // proportions by session only: share of these solves
 };
@@ -163,7 +163,8 @@ inline int trials_per_value(const MetricSamples& samples) {
   const Proportions* const proportions = std::get_if<Proportions>(&samples.kind);
   return proportions == nullptr ? 1 : proportions->trials_per_value;
 }
-// Returns the effect that a comparison estimates. Plans that compare means estimate differences in place of ratios.
+// Returns the effect that a comparison by ranks estimates. A comparison of means estimates a difference in place of a
+// ratio (Comparison::scale).
 inline EffectScale effect_scale(const MetricSamples& samples) {
   if (std::holds_alternative<Differences>(samples.kind)) return EffectScale::difference;
   return is_proportion(samples) ? EffectScale::share : EffectScale::ratio;

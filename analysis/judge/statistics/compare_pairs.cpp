@@ -75,7 +75,8 @@ constexpr Methods methods[]{{&unpaired_ranks, &signed_ranks, &signs},  // in the
                             {&unpaired_t, &paired_t, &one_t},
                             {&unpaired_shares, &paired_shares, &one_t}};
 
-// The design of a pair. Together with the plan the design decides the test, and no value does.
+// The design of a pair, which decides the test together with the plan. Of the values only one thing counts: equal ones
+// of a file may be copies.
 struct Design {
   bool is_printed = false;      // a group has only a printed summary
   bool is_against_one = false;  // a group is deterministic, so that one value stands for all its runs
@@ -189,20 +190,21 @@ void restore_infinities(const PairData& numbers, UnadjustedTest& outcome) {
   outcome.interval->high = numbers.restore_infinity(outcome.interval->high);
 }
 
-// Returns whether failures that are more frequent than the margin could be missing by chance: equal values, and few
-// values that differ by one number, say nothing of failures that are rarer than so many values can show.
+// Returns whether so few values could hide failures that are more frequent than the margin. This is asked where all
+// values are equal, or where p does not decide and the interval has no width.
 bool may_hide_failures(const AnalysisPlan& plan, const Trial& trial, double alpha) {
   const std::optional<Interval>& interval = trial.outcome.interval;
   const PairData& numbers = trial.numbers;
   const bool are_equal = interval ? interval->low == 0 && interval->high == 0 : numbers.are_all_equal;
   const bool has_width = interval && interval->low < interval->high;
   if (!are_equal && (has_width || trial.outcome.p < alpha)) return false;
-  const double rare = plan.margin > 0 ? plan.margin : AnalysisPlan().margin;  // an absolute margin is none of shares
+  // The relative margin is 0 beside an absolute one, which does not apply to shares.
+  const double rare = plan.margin > 0 ? plan.margin : AnalysisPlan().margin;
   return 1 - wilson_interval(1, std::min(numbers.of_first.n, numbers.of_second.n), alpha).low > rare;
 }
 
-// Returns whether the means differ by less than the margin, too, where ranks decide: ranks would not see that rare
-// values are far apart, nor ratios in blocks that the medians shown are.
+// Returns whether the means differ by less than the margin, too, where ranks decide. Ranks do not see how far apart
+// rare values are.
 bool do_means_lie_within(const Method& method, const PairData& numbers, double alpha, double margin) {
   if (method.by != By::ranks) return true;
   const Method& by_means = method.is_by_difference ? paired_t : unpaired_t;
@@ -219,6 +221,7 @@ Trial trial_of(const MetricSamples& samples, const AnalysisPlan& plan, const Pai
   const double margin = margin_of_trial(samples, plan, trial, takes_logs, {first, second});
   const bool is_small = lies_within(trial.outcome, margin);
   restore_infinities(trial.numbers, trial.outcome);
+  // The averages shown must lie within the margin, too: ratios in blocks do not see these.
   trial.is_same = is_small && !may_hide_failures(plan, trial, alpha) &&
                   lies_within({.estimate = first - second}, margin) &&
                   do_means_lie_within(method, trial.numbers, alpha, margin);
@@ -400,7 +403,7 @@ Pair pair_of(const MetricSamples& samples, const AnalysisPlan& plan, std::size_t
   else if (pair.n < samples.min_blocks)
     pair.not_tested =
         NotTested{.reason = NotTestedReason::sample_too_small, .n = pair.n, .required_n = samples.min_blocks};
-  std::size_t differences = many;
+  std::size_t differences = many;  // against a group of equal values, each value of the other group is one difference
   if (is_constant(b)) differences = m;
   if (is_constant(a)) differences = n;
   pair.smallest_p = pair.n == 0 ? 1 : pair.method->smallest_p(m, n, differences);
@@ -445,7 +448,8 @@ int smallest_testable_n(const Pair& pair, double level) {
 }
 
 // Returns the size of the family: the number of pairs that could reach the level with samples of these sizes, which is
-// decided before any p is known. Pairs that could not leave the family, the least able first.
+// decided before any p is known. Pairs that cannot reach the level leave the family, those with the largest smallest p
+// first, and are set to not tested.
 std::size_t testable(std::vector<std::vector<Pair>>& members, double significance) {
   std::vector<Pair*> family;
   for (std::vector<Pair>& pairs : members)
@@ -501,7 +505,7 @@ bool is_not_tested(const Comparison& comparison, NotTestedReason reason) {
 
 bool all_values_equal(const Comparison& comparison) {
   if (std::holds_alternative<DeterministicResult>(comparison.result))
-    return comparison.estimate->value == null_value(comparison.scale);
+    return comparison.estimate && comparison.estimate->value == null_value(comparison.scale);
   const auto* const tested = std::get_if<TestResult>(&comparison.result);
   return tested != nullptr && tested->dominance && tested->dominance->better == 0 && tested->dominance->worse == 0;
 }

@@ -33,8 +33,8 @@ std::string_view name_of(Verdict verdict);
 // The ratio of or the difference between two groups.
 struct EffectEstimate {
   double value = 0;
-  // With confidence 1 - significance / size of the family. Excludes the null value (0, or 1 for ratios) if and only if
-  // p decides.
+  // The interval has the confidence 1 - significance / (size of the family * metrics). It excludes the null value (0,
+  // or 1 for ratios) if and only if p decides.
   std::optional<Interval> interval = {};
 };
 
@@ -51,7 +51,7 @@ struct Dominance {
 struct TestResult {
   Verdict verdict = Verdict::inconclusive;
   bool is_below_margin = false;             // a difference is found, and lies within the margin
-  double adjusted_p = 1;                    // p times the size of the family, at most 1
+  double adjusted_p = 1;                    // p * size of the family * metrics, at most 1
   std::optional<Dominance> dominance = {};  // empty for printed summaries and for logarithms
   std::optional<double> hedges_g = {};      // only where means decide; g_av for paired values (descriptives.hpp)
   std::string_view test = {};
@@ -74,7 +74,7 @@ enum class NotTestedReason {
   no_answer,         // all values of both groups are infinite
   copies,            // both groups have one number each, which may be a copied measurement
   sample_too_small,  // no data of this size could decide
-  dominated          // one value is so much of a group's sum that its mean shows nothing better
+  dominated          // few values decide the mean of a group (is_dominated), so that the verdict is inconclusive
 };
 // Returns the reason of a pair with a group that is excluded for this reason.
 NotTestedReason not_tested_reason(ExclusionReason reason);
@@ -91,7 +91,7 @@ struct Comparison {
   std::string first = {}, second = {};            // names of the groups
   std::size_t first_index = 0, second_index = 0;  // the places of these groups in MetricSamples::groups
   EffectScale scale = EffectScale::difference;    // of the estimate; differences where means decide
-  // Empty if nothing was tested, or if the estimate would refute the verdict.
+  // Empty if there is no result, if the estimate is not finite, or if the estimate would refute the verdict.
   std::optional<EffectEstimate> estimate = {};
   std::variant<TestResult, DeterministicResult, NotTested> result = NotTested();
 };
