@@ -13,7 +13,7 @@ namespace ikbench::judge {
 
 namespace {
 
-// Returns for each group whether it is worse than another one.
+// Returns for each group whether another group is better.
 std::vector<bool> beaten_groups(const JudgedMetric& judged) {
   std::vector<bool> is_beaten(judged.samples.groups.size());
   for (const Comparison& comparison : judged.comparisons) {
@@ -24,7 +24,7 @@ std::vector<bool> beaten_groups(const JudgedMetric& judged) {
   return is_beaten;
 }
 
-// Adds a warning if few values decide a mean, which leaves comparisons open, and names all groups with such means.
+// Adds a warning that names all groups whose mean few values decide, if a comparison is left open by these means.
 void add_dominance_warning(JudgedMetric& judged) {
   Warning warning{.kind = WarningKind::dominated_by_few,
                   .detail = (is_log_scale(judged.samples) ? "" : "mean ") + judged.samples.quantity};
@@ -37,8 +37,8 @@ void add_dominance_warning(JudgedMetric& judged) {
   judged.samples.warnings.push_back(std::move(warning));
 }
 
-// Returns whether the better group of a comparison has the worse median: by more than the margin, or, if no group beats
-// the better one, so that its median stands beside it in the headline, at all.
+// Returns whether the better group of a comparison has the worse median. If another group beats the better one, only a
+// difference above the margin counts. Otherwise any difference counts, because the headline shows that median.
 bool is_median_worse(const JudgedMetric& judged, const Comparison& comparison, bool is_better_beaten) {
   const double better = judged.descriptives[comparison.first_index].median;
   const double worse = judged.descriptives[comparison.second_index].median;
@@ -46,8 +46,8 @@ bool is_median_worse(const JudgedMetric& judged, const Comparison& comparison, b
   return (better > worse) == (judged.samples.better == Better::smaller);
 }
 
-// Adds a warning for the first group that is better by ranks, although its median or its mean is worse. Groups that
-// have their own targets are left out, because their averages say nothing of a pair.
+// Adds a warning for the first group that is better by ranks, but worse by the median or the mean. Groups that have
+// their own targets are left out, because their averages say nothing of a pair.
 void add_rank_warning(JudgedMetric& judged) {
   const MetricSamples& samples = judged.samples;
   if (is_conditional_on_success(samples) || samples.min_blocks > 0 || judged.plan.test == AnalysisPlan::Test::means)
@@ -67,7 +67,7 @@ void add_rank_warning(JudgedMetric& judged) {
   }
 }
 
-// Returns the comparisons of a metric. Pairs of the study's own labels have the p that they have without imported
+// Returns the comparisons of a metric. Pairs of the study's own labels keep the p that they would have without imported
 // results. Imported labels are compared only with the control, and these pairs are a second family.
 std::vector<Comparison> comparisons_of(const JudgedMetric& metric, const ImportedResults& imported,
                                        std::size_t metrics) {
@@ -127,7 +127,8 @@ bool is_clear_order(const std::vector<Comparison>& comparisons, const std::vecto
   });
 }
 
-// Returns the average evaluations of each group; infinity if they are not known, 0 for all if no metric is evaluations.
+// Returns the average evaluations of each group; infinity if the evaluations are not known, and 0 for all groups if no
+// metric is evaluations.
 std::vector<double> average_evaluations(const std::vector<Group>& groups, const std::vector<JudgedMetric>& metrics) {
   std::vector<double> averages(groups.size(), 0.0);
   const auto evaluations = std::ranges::find(metrics, QuantityKind::evaluations,
@@ -268,7 +269,7 @@ std::string name_in_plan(const JudgedStudy& study, const JudgedMetric& metric) {
   if (&metric == &deciding) return names.front();
   const std::string_view word = tie_breaker_of(metric.samples);
   const auto has_word = [&](const JudgedMetric& each) { return tie_breaker_of(each.samples) == word; };
-  // A word names only one metric, since otherwise more metrics would decide than share the significance.
+  // A word names only one metric, because otherwise more metrics would decide than share the significance.
   const bool is_first = &metric == &*std::ranges::find_if(study.metrics, has_word);
   const bool is_named = !word.empty() && is_first && !has_word(deciding) && std::ranges::count(names, word) > 0;
   return is_named ? std::string(word) : "";

@@ -37,8 +37,8 @@ void refuse_other_task(const StudyResults& baseline, const StudyResults& candida
           fmt::format("not compared: {} has other {} than before", candidate.labels.front(), what));
 }
 
-// Maps each session of the baseline to the candidate's session of the same round, which is a shard. Empty if the stores
-// were not solved in turn: each round of both must begin before the next one of either, in whole seconds.
+// Maps each session of the baseline to the candidate's session of the same round, which is a shard. The map is empty if
+// the stores were not solved in turn: each round of both must begin before the next round of either, in whole seconds.
 std::optional<std::map<int, int>> matching_sessions(const std::vector<Session>& ours,
                                                     const std::vector<Session>& theirs) {
   if (ours.size() < 2 || ours.size() != theirs.size()) return {};
@@ -57,7 +57,7 @@ std::optional<std::map<int, int>> matching_sessions(const std::vector<Session>& 
 }
 
 // Returns both versions as solvers of one study, and takes their solves. Sessions of one round become one session. If
-// `turns` is empty, all sessions differ.
+// `turns` is empty, no two sessions become one.
 StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std::map<int, int>& turns) {
   both.labels = {now_label, before_label};
   both.rejections = {};
@@ -79,7 +79,7 @@ StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std:
 }
 
 // Returns the shares of solves that gave any answer. If the load of the machine decides which solves are too late, late
-// ones count as answered.
+// solves count as answered.
 MetricSamples answered_samples(const StudyResults& study, bool machine_decides) {
   MetricSamples samples{
       .metric = "answers", .quantity = "answered", .better = Better::larger, .kind = Proportions{}, .is_paired = true};
@@ -93,12 +93,13 @@ MetricSamples answered_samples(const StudyResults& study, bool machine_decides) 
   return samples;
 }
 
-// Returns whether a metric is made of times, as "solved in time" is, too.
+// Returns whether a metric is made of times; "solved in time" is made of times, too.
 bool is_time(const JudgedMetric& judged) { return judged.samples.quantity_kind == QuantityKind::time; }
 
 bool is_of_answers(const JudgedMetric& judged) { return judged.samples.quantity_kind == QuantityKind::answered; }
 
-// Returns whether a metric decides: the plan names it, the user did not leave it out, and times have a margin.
+// Returns whether a metric decides: the plan names the metric, --metric does not leave the metric out, and a metric of
+// times has a margin.
 bool decides(const RegressionCheck& gate, const JudgedMetric& metric) {
   const std::string name = name_in_plan(gate.judged, metric);
   if (name.empty() || (is_time(metric) && !gate.counts_times())) return false;
@@ -128,15 +129,15 @@ void refuse_what_the_plan_lacks(const RegressionOptions& options, const StudyDef
     throw std::invalid_argument("--metric time: times decide by a margin of their own; add --time-margin 10%");
 }
 
-// Returns how many answers are missing, if the baseline gave all answers or the candidate gives none; otherwise 0.
-// Chance may do that, too.
+// Returns how many answers are missing, if the baseline gave all answers or the candidate gives none; otherwise 0. No
+// test is made, so chance may have caused the missing answers.
 int newly_missing(const JudgedMetric& judged) {
   const Descriptives &candidate = judged.descriptives.front(), &baseline = judged.descriptives.back();
   const bool is_new = is_of_answers(judged) && (baseline.mean == 1 || candidate.mean == 0);
   return is_new ? static_cast<int>(std::lround((baseline.mean - candidate.mean) * baseline.n)) : 0;
 }
 
-// Returns the study with two of its labels, without the records for figures.
+// Returns the study with only two labels, and without the records for figures.
 StudyResults study_of_two(const StudyResults& study, const std::string& candidate, const std::string& baseline) {
   StudyResults two;
   static_cast<StoredStudy&>(two) = study;
@@ -156,7 +157,8 @@ StudyResults study_of_two(const StudyResults& study, const std::string& candidat
   return two;
 }
 
-// Keeps the warnings that concern the two labels. A warning that also names others gets the counts of only these two.
+// Keeps the warnings that concern the two labels. A warning that also names other labels gets the counts of only these
+// two.
 void keep_warnings(std::vector<Warning>& warnings, const StudyResults& two) {
   const auto is_other = [&](const std::string& name) { return std::ranges::count(two.labels, name) == 0; };
   const std::vector<Warning> own = evaluation_warnings(two);
@@ -189,9 +191,10 @@ std::string family_of(const RegressionCheck& gate, const JudgedMetric& metric) {
   return name.empty() ? "not in the plan: " + metric.samples.metric : name;
 }
 
-// Returns the comparisons of each metric of each check. Pairs of the metrics that one name of the plan means are one
-// family. If one label solved all targets and another did not, evaluations and evaluations per success are one family.
-// Solvers that are identical in two stores belong to no family but that of times, since no chance is in their answers.
+// Returns the comparisons of each metric of each check. All pairs of the metrics that a name of the plan stands for are
+// one family. If one label solved all targets and another did not, evaluations and evaluations per success are one
+// family. Solvers that are identical in two stores belong only to the family of times, since no chance is in their
+// answers.
 std::vector<std::vector<std::vector<Comparison>>> all_comparisons(const std::vector<RegressionCheck>& gates) {
   const std::size_t metrics = names_in_plan(gates.front().judged.study.definition).size();
   std::vector<std::vector<std::vector<Comparison>>> all;
@@ -334,7 +337,7 @@ RegressionCheck check_regression(StudyResults baseline, StudyResults candidate, 
   RegressionCheck both = check_regression(std::move(study), now_label, before_label, std::move(options), label);
   for (JudgedMetric& metric : both.judged.metrics) {  // times of different sessions are never comparable
     if (!is_time(metric) || both.counts_times()) continue;
-    metric.samples.warnings.clear();  // no time decides here, so only the obstacle has to be told
+    metric.samples.warnings.clear();  // no time decides here, so only the obstacle is shown
     if (!obstacle.empty())
       metric.samples.warnings.push_back({.kind = WarningKind::times_not_comparable, .detail = obstacle});
   }

@@ -90,7 +90,7 @@ void add_imported(StudyResults& study, const StudyResults& theirs) {
       solve.label = static_cast<int>(std::ssize(study.labels) - 1);
       solve.timing = Timing::process;
       solve.is_self_timed = true;
-      solve.was_preempted = false;  // matters only on the machine of the solve
+      solve.was_preempted = false;  // a preemption matters only on the machine of the solve
       study.solves.push_back(solve);
     }
   }

@@ -21,9 +21,9 @@ using namespace results;
 namespace {
 
 constexpr double rounding_deg = 1e-9 / base::degree;
-constexpr double least_motion_deg = 1e-3;  // less is how a solver rounds, and moves no arm
+constexpr double least_motion_deg = 1e-3;  // a smaller motion is rounding by a solver, and moves no arm
 
-// Returns whether the solver counts its iterations: an external or library solver that reports none has 0.
+// Returns whether the iterations of a solve are known. An external or library solver that reports no counts has 0.
 bool counts_iterations(const SolveSummary& solve) {
   return solve.iterations > 0 || solve.counted_by != results::CountedBy::none;
 }
@@ -55,7 +55,7 @@ constexpr std::array rows{
 #undef METRIC
 };
 
-// Returns whether a value is a run; otherwise it is a target.
+// Returns whether each value of a metric stands for a run; otherwise each value stands for a target.
 bool are_runs(const StudyResults& study, const Metric& metric) {
   return metric.kind == MetricKind::per_run || study.definition.compares_runs();
 }
@@ -72,13 +72,13 @@ bool is_cost_of_answers(const StudyResults& study, const Metric& metric) {
   return metric.kind == MetricKind::cost && study.definition.has_tolerance();
 }
 
-// Returns whether only solved targets have a value. Along a path failed ones have a cost, too, because the next solve
-// starts where they ended.
+// Returns whether only solved targets have a value of the metric. Along a path failed solves have a cost, too, because
+// the next solve starts where the failed one ended.
 bool is_of_solved(const StudyResults& study, const Metric& metric) {
   return is_cost_of_answers(study, metric) && !study.definition.is_chained();
 }
 
-// One value with the block that it belongs to.
+// A value with the number of the block to which the value belongs.
 struct Value {
   int block;
   double value;
@@ -94,7 +94,7 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, st
   const StudyDefinition& definition = study.definition;
   const bool of_runs = are_runs(study, metric), of_solved = is_of_solved(study, metric);
   const double least = tolerance_of(study, metric);
-  // If a solver never moved the arm, the error of the place where the arm stayed is not the solver's.
+  // If a solver never gave an answer, the arm stayed at the start, whose error says nothing of the solver.
   const bool is_unknown = metric.kind == MetricKind::error && std::ranges::none_of(study.of(solver), has_answer);
   std::vector<Value> values;
   for (const Solves run : of_runs ? complete_runs_of(study, solver) : runs_of(study.of(solver))) {
@@ -113,7 +113,7 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, st
   return values;
 }
 
-// Returns the average of a block; NaN if a value is unknown.
+// Returns the average of a block; NaN if a value or the average is not finite.
 double block_average(const std::vector<double>& values, bool is_median) {
   if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) return unknown;
   const double average = is_median ? describe_values(values).median : summarise(values).mean;
@@ -132,10 +132,10 @@ std::vector<Value> means_of(const std::vector<Value>& solves, bool are_medians =
   return means;
 }
 
-// Returns the cost of all attempts per success, as one logarithm per value: their mean is the logarithm of the ratio of
-// the two sums, and their spread gives its error (the infinitesimal jackknife; Efron, The Jackknife, 1982, chapter 6).
-// Sets the effective sample size (Kish, Survey Sampling, 1965) and the number of solved targets. `costs` and `solved`
-// must have the same blocks.
+// Returns the cost of all attempts per success, as one logarithm per value. The mean of the logarithms is the logarithm
+// of the ratio of the two sums, and their spread gives the error of that mean (the infinitesimal jackknife; Efron, The
+// Jackknife, 1982, chapter 6). Sets the effective sample size (Kish, Survey Sampling, 1965) and the number of solved
+// targets. `costs` and `solved` must have the same blocks.
 std::vector<Value> cost_per_success(std::vector<Value> costs, const std::vector<Value>& solved, Sample& sample) {
   double total_cost = 0, squares = 0, total_solved = 0;
   for (const Value& cost : costs) {
@@ -191,7 +191,8 @@ struct SessionValues {
   double sum = 0, solved = 0;
 };
 
-// Returns the values of a solver by session, without sessions that have an unknown value or no logarithm.
+// Returns the values of a solver by session, without sessions that have an unknown value, or costs of 0, which have no
+// logarithm.
 std::map<int, SessionValues> values_by_session(const StudyResults& study, const Metric& metric,
                                                const std::string& solver) {
   std::map<int, SessionValues> sessions;
@@ -209,8 +210,8 @@ std::map<int, SessionValues> values_by_session(const StudyResults& study, const 
   return sessions;
 }
 
-// Returns one value per session: the share solved in time, or the logarithm of the median time. For costs per success
-// returns the values of `cost_per_success`, which are empty if no target was solved in these sessions.
+// Returns one value per session: the share solved in time, or the logarithm of the median time. For costs per success,
+// returns the values of `cost_per_success`; empty if no target was solved in these sessions.
 Sample sample_of_sessions(const std::map<int, SessionValues>& sessions, MetricKind kind) {
   Sample sample;
   std::vector<Value> costs, solved;
@@ -231,8 +232,8 @@ Sample sample_of_sessions(const std::map<int, SessionValues>& sessions, MetricKi
   return sample;
 }
 
-// Returns the group of a solver with one value per session of `compared`. The average of such values is the one that
-// reports show. A group without such a session is excluded, with the values of all of its sessions.
+// Returns the group of a solver with one value per session of `compared`. Reports show the average of these values. A
+// solver without a session of `compared` gets an excluded group, which describes the values of all sessions.
 Group group_of_times(const StudyResults& study, const Metric& metric, const std::string& solver,
                      const std::set<int>& compared) {
   const bool is_share = metric.kind == MetricKind::success_rate, is_ert = metric.kind == MetricKind::ert;
@@ -259,7 +260,7 @@ Group group_of_times(const StudyResults& study, const Metric& metric, const std:
   return group;
 }
 
-// Returns the kind of a metric's values before anything is known of the study.
+// Returns the kind of a metric's values, as far as the metric decides the kind without a study.
 SampleKind sample_kind(const Metric& metric) {
   switch (metric.kind) {
     case MetricKind::success_rate:
@@ -289,7 +290,8 @@ MetricSamples make_samples_by_session(const StudyResults& study, const Metric& m
       samples.groups.push_back({.name = label, .sample = ExcludedSample{.reason = ExclusionReason::not_comparable}});
       continue;
     }
-    // The share solved in time counts busy sessions, too. They are no random sample, so leaving them out would flatter.
+    // The share solved in time counts busy sessions, too. Busy sessions are no random sample, so a share without them
+    // would flatter.
     samples.groups.push_back(group_of_times(study, metric, label, is_share ? sessions.comparable : sessions.quiet[i]));
   }
   return samples;
@@ -361,7 +363,7 @@ MetricSamples make_samples(const StudyResults& study, const Metric& metric) {
     if (sample != nullptr && sample->reason == ExclusionReason::not_comparable && !has_warning &&
         metric.kind != MetricKind::success_rate)
       unsolved.solvers.push_back(group.name);
-    if (sample != nullptr || !has_warning) continue;  // missing values are the stronger reason
+    if (sample != nullptr || !has_warning) continue;  // missing values are the stronger reason to exclude
     const std::span<const double> values = judge::values_of(group);
     group.sample = ExcludedSample{.reason = ExclusionReason::not_comparable, .values = {values.begin(), values.end()}};
   }

@@ -46,15 +46,15 @@ struct SecondDifference {
   }
 };
 
-// Returns the angle [deg] between two rotations from ||R - Rd|| / ||Rd||, since ||R - Rd|| is sqrt(8) sin(angle / 2)
-// and
-// ||Rd|| is sqrt(3). NaN stays NaN.
+// Returns the angle [deg] between two rotations from ||R - Rd|| / ||Rd||, because ||R - Rd|| is sqrt(8) sin(angle / 2)
+// and ||Rd|| is sqrt(3). NaN stays NaN.
 double angle_deg(double orientation_error) {
   const double sine = orientation_error * std::sqrt(3.0 / 8);
   return 2 * std::asin(sine > 1 ? 1.0 : sine) / base::degree;
 }
 
-// Returns whether a joint moved further than it can within a period of the control loop.
+// Returns whether a joint moved further than the joint can within a period of the control loop. The first point of a
+// run never counts.
 bool exceeds_velocity(const StudyDefinition& study, const SolveRecord& solve) {
   for (std::size_t j = 0; j < std::min({study.max_steps.size(), solve.start_rad.size(), solve.answer_rad.size()});
        ++j) {
@@ -65,7 +65,7 @@ bool exceeds_velocity(const StudyDefinition& study, const SolveRecord& solve) {
   return false;
 }
 
-// Adds the rejections of the study's check and the numbers that solvers reported of themselves.
+// Adds the rejections by the study's check, and the self-reported numbers of solvers.
 void add_extras(const SolveRecord& record, StudyResults& study) {
   const bool has_check = !study.definition.check.process.empty();
   for (const auto& [name, value] : record.extras) {
@@ -107,8 +107,8 @@ std::vector<double> check_values(const SolveRecord& record, const StudyResults& 
   return values;
 }
 
-// Adds a record to a study. Records must come ordered by solver, run and point. `second_difference` carries that of the
-// current run from call to call.
+// Adds a record to a study. Records must come ordered by solver, run and point. `second_difference` carries the state
+// of the current run from call to call.
 void add(const SolveRecord& record, SecondDifference& second_difference, StudyResults& study) {
   require_valid_record(record, study);
   const Solves earlier = study.of(record.label);
@@ -212,7 +212,7 @@ SessionSets session_sets(const StudyResults& study) {
   struct Counts {
     int solves = 0, preempted = 0;
   };
-  std::map<int, std::map<std::size_t, Counts>> sessions;  // by session and solver
+  std::map<int, std::map<std::size_t, Counts>> sessions;  // counts by session and solver
   for (const SolveSummary& solve : study.solves) {
     const auto solver = static_cast<std::size_t>(solve.label);
     if (study.imported.has(study.labels[solver])) continue;

@@ -22,7 +22,7 @@ namespace {
 
 using Warnings = std::vector<Warning>;
 
-// Adds a warning if it names a solver.
+// Adds a warning if the warning names a solver.
 void add(Warnings& warnings, Warning warning) {
   if (!warning.solvers.empty()) warnings.push_back(std::move(warning));
 }
@@ -49,8 +49,8 @@ void add(Warnings& warnings, const StudyResults& study, Warning warning, IsMeant
   });
 }
 
-// Returns why no time of a study can be compared, if solves ran in parallel, in a debug build or elsewhere; otherwise
-// empty.
+// Returns why no time of a study can be compared: solves ran in parallel, elsewhere or in a debug build. Empty if
+// none was.
 std::string unusable_timing(const StudyResults& study) {
   const auto is_any = [&](Timing timing) {
     return std::ranges::count(study.solves, timing, &SolveSummary::timing) > 0;
@@ -75,7 +75,7 @@ std::vector<std::string> measured_apart(const StudyResults& study, const std::ve
   return apart;
 }
 
-// The evaluations that a solver could make in a solve.
+// The evaluations that a solver may make in a solve.
 struct Budget {
   bool is_limited = false;  // a limit of the study ended at least a tenth of the solves
   double evaluations = 0;   // mean of the solves that a limit ended; if not limited, the largest number of a solve
@@ -94,7 +94,7 @@ Budget budget_of(Solves solves) {
   return {false, largest};
 }
 
-// Adds a warning if some solver may make 1.5 times as many evaluations as the one that the study limits most.
+// Adds a warning if some solver may make 1.5 times as many evaluations as the solver that the study limits most.
 void add_budget_warning(Warnings& warnings, const StudyResults& study) {
   if (study.definition.stop.seconds > 0) return;
   const auto is_counted_here = [](const SolveSummary& solve) { return solve.counted_by == CountedBy::ikbench; };
@@ -121,11 +121,11 @@ void add_budget_warning(Warnings& warnings, const StudyResults& study) {
 }
 
 // Adds a warning about solves that were made under another plan. The stored plan counts, because a command may judge by
-// another one.
+// another plan.
 void add_plan_warning(Warnings& warnings, const StudyResults& study) {
   const base::Json definition = base::parsed_json(study.definition.json);
   const base::Json plan = definition.value("analysis", base::Json::object());  // a foreign store may have no plan
-  std::set<std::int64_t> others;                                               // sessions
+  std::set<std::int64_t> others;                                               // sessions under another plan
   std::set<std::string> fields;
   for (const Session& session : study.sessions) {
     const auto recorded = session.environment.find("analysis");
@@ -161,7 +161,7 @@ bool reports_no_times(Solves solves) {
   return 10 * std::ranges::count_if(solves, has_no_own_time) > std::ssize(solves);
 }
 
-// Returns why a time limit gave solvers different chances, whatever each of them did; empty if not so.
+// Returns why a time limit gave solvers different chances, whatever each solver did; empty if the chances were equal.
 std::string reason_against_limits(const StudyResults& study) {
   if (std::string reason = unusable_timing(study); !reason.empty()) return reason;
   // Machines differ if their processors do, or both name and start: a machine that starts again keeps its name, and
@@ -170,7 +170,7 @@ std::string reason_against_limits(const StudyResults& study) {
   if (differ("cpu") || (differ("host") && differ("boot"))) return "several machines";
   const std::vector<std::set<int>> sessions = session_sets(study).all;
   std::set<std::set<int>> different(sessions.begin(), sessions.end());
-  different.erase(std::set<int>());  // of solvers without solves
+  different.erase(std::set<int>());  // a solver without solves has no session
   return different.size() > 1 ? "measured in different sessions" : "";
 }
 
@@ -198,7 +198,8 @@ std::vector<Warning> time_warnings(const StudyResults& study) {
   add_for(std::move(in_batches), "asked in batches");
   for (const std::string& solver : study.labels)
     if (reports_no_times(study.of(solver))) silent.push_back(solver);
-  if (silent.size() < study.labels.size()) add_for(std::move(silent), "messages included");  // in every session
+  // If no solver reports times, all times include messages alike.
+  if (silent.size() < study.labels.size()) add_for(std::move(silent), "messages included");
   add_for(measured_apart(study, sessions.complete),
           "too few sessions in common with the others; solve all again: --out NEW");
   add_for(measured_apart(study, sessions.quiet), "the machine was busy");
@@ -209,7 +210,7 @@ std::vector<Warning> clock_warnings(const StudyResults& study) {
   const double limit = study.definition.stop.seconds;
   if (limit == 0) return {};
   const std::string reason = reason_against_limits(study);
-  // External solvers stop a little before the limit.
+  // The limit is lowered by a tenth, because external solvers stop a little before the limit.
   const auto is_ended = [&](const SolveSummary& solve) { return solve.seconds >= 0.9 * limit; };
   const auto add_for = [&](Warnings& warnings, bool is_imported, const std::string& detail) {
     add_counts(warnings, study, {.kind = WarningKind::time_limit_decides, .detail = detail},
@@ -251,7 +252,7 @@ std::vector<Warning> study_warnings(const StudyResults& study) {
                         .total = static_cast<double>(study.definition.points)});
   add_plan_warning(warnings, study);
   Warning repeating{.kind = WarningKind::deterministic};
-  if (!study.definition.draws_targets && study.definition.compares_runs())  // otherwise paired
+  if (!study.definition.draws_targets && study.definition.compares_runs())  // in other studies values are paired
     std::ranges::copy_if(study.labels, std::back_inserter(repeating.solvers),
                          [&](const std::string& solver) { return is_deterministic(study, solver); });
   add(warnings, std::move(repeating));
@@ -260,7 +261,7 @@ std::vector<Warning> study_warnings(const StudyResults& study) {
 }
 
 std::string warning_text(const Warning& warning) {
-  // In the order of WarningKind.
+  // The sentences stand in the order of WarningKind.
   static constexpr std::string_view sentences[]{
       "the plan was changed after {share} solves were made{of_whom}: {what}",
       "{share} {what}{of_whom}",

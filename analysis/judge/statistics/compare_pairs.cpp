@@ -21,20 +21,20 @@ struct Method {
 
   std::string_view name;
   By by;
-  bool is_by_difference;  // of paired values, or of values and the one value of a deterministic solver
+  bool is_by_difference;  // tests differences of paired values, or from the one value of a deterministic solver
   UnadjustedTest (*test)(const PairData& data, double alpha);
   bool is_by_values_too = false;
 
-  // Returns the smallest p that groups of these sizes with so many differences can give.
+  // Returns the smallest p that groups of `m` and `n` values with a number of differences can give.
   double smallest_p(std::size_t m, std::size_t n, std::size_t differences) const {
     const std::size_t few = std::min(m, n);
-    // Two values never decide by means, since the larger one is more than half of their sum.
+    // Two values never decide by means, because the larger of two is more than half of the sum.
     if (by == By::means && (m == n || !is_by_difference)) return few < 3 ? 1 : 0;
     const double by_differences = is_by_difference ? min_p_paired(differences) : 0;
     if (is_by_difference && !is_by_values_too) return by_differences;
     if (few < 2) return 1;
-    // All of one group solved and none of the other is the rarest table of Fisher's test. If the sizes are equal, the
-    // opposite table is as rare.
+    // In the rarest table of Fisher's test, all of one group are solved and none of the other. If the sizes are equal,
+    // the opposite table is as rare.
     const bool is_single_table = by == By::shares && m != n;
     const double by_values = min_p_unpaired(m, n) / (is_single_table ? 2 : 1);
     return std::max(by_differences, by_values);
@@ -75,8 +75,8 @@ constexpr Methods methods[]{{&unpaired_ranks, &signed_ranks, &signs},  // in the
                             {&unpaired_t, &paired_t, &one_t},
                             {&unpaired_shares, &paired_shares, &one_t}};
 
-// The design of a pair, which decides the test together with the plan. Of the values only one thing counts: equal ones
-// of a file may be copies.
+// The design of a pair, which decides the test together with the plan. The values do not decide the test, except that
+// equal values of a file may be copies.
 struct Design {
   bool is_printed = false;      // a group has only a printed summary
   bool is_against_one = false;  // a group is deterministic, so that one value stands for all its runs
@@ -109,12 +109,12 @@ std::size_t size_of(const Group& group) {
   return values_of(group).size();
 }
 
-// Two groups of the samples, which outlive the pair: pairs are many, so no pair holds values.
+// Two groups of the samples. Pairs are many, so no pair holds values, and the samples must outlive the pair.
 struct Pair {
   const Group *a, *b;
   const Method* method;
   std::size_t first_index = 0, second_index = 0;  // places of the groups in the samples
-  EffectScale scale = EffectScale::difference;    // of the estimate
+  EffectScale scale = EffectScale::difference;    // scale of the estimate
   double smallest_p = 1;
   int n = 0;
   std::optional<NotTested> not_tested = {};  // decided before any p is known
@@ -123,7 +123,7 @@ struct Pair {
   bool are_both_deterministic() const { return is_deterministic(*a) && is_deterministic(*b); }
 };
 
-// Returns whether two groups have different blocks, so that only some are common.
+// Returns whether two groups have different blocks, so that the two share only some blocks.
 bool has_other_blocks(const Group& a, const Group& b) {
   const Sample *const of_a = sample_of(a), *const of_b = sample_of(b);
   return of_a != nullptr && of_b != nullptr && of_a->blocks != of_b->blocks;
@@ -145,8 +145,8 @@ struct Trial {
   bool is_same = false;  // the difference lies within the margin on this scale
 };
 
-// Keeps the interval of proportions within what their difference can be, and adds one where all trials had the same
-// outcome. Other values that are all equal have no interval.
+// Keeps the interval of proportions within what their difference can be, and adds an interval if all trials had the
+// same outcome. Other values that are all equal have no interval.
 void settle_interval(const MetricSamples& samples, const PairData& numbers, double alpha, UnadjustedTest& outcome) {
   std::optional<Interval>& interval = outcome.interval;
   if (!is_proportion(samples)) {
@@ -160,7 +160,8 @@ void settle_interval(const MetricSamples& samples, const PairData& numbers, doub
                                  {.share = second.mean, .n = static_cast<double>(second.n)}, alpha);
 }
 
-// Returns the averages that a table shows: by ranks the medians, because one huge value could make a mean.
+// Returns the averages that a table shows: medians for a test of ranks, because one huge value could decide a mean, and
+// means for other tests.
 std::pair<double, double> shown_averages(const Method& method, const PairData& numbers) {
   if (method.by != By::ranks) return {numbers.of_first.mean, numbers.of_second.mean};
   return {describe_values(numbers.first).median, describe_values(numbers.second).median};
@@ -176,8 +177,8 @@ double margin_of_trial(const MetricSamples& samples, const AnalysisPlan& plan, c
   return std::max(samples.absolute_margin, plan.margin * smaller);
 }
 
-// Returns whether the interval of a test lies within the margin, up to rounding. A test without an interval, since its
-// values have no spread, is judged by its estimate.
+// Returns whether the interval of a test lies within the margin, up to rounding. If the values have no spread, a test
+// has no interval, and the estimate is judged.
 bool lies_within(const UnadjustedTest& outcome, double margin) {
   const Interval interval = outcome.interval.value_or(Interval{outcome.estimate, outcome.estimate});
   return interval.low >= -margin * (1 + 1e-9) && interval.high <= margin * (1 + 1e-9);
@@ -190,15 +191,15 @@ void restore_infinities(const PairData& numbers, UnadjustedTest& outcome) {
   outcome.interval->high = numbers.restore_infinity(outcome.interval->high);
 }
 
-// Returns whether so few values could hide failures that are more frequent than the margin. This is asked where all
-// values are equal, or where p does not decide and the interval has no width.
+// Returns whether so few values could hide failures that are more frequent than the margin. Failures can hide only if
+// all values are equal, or if p does not decide and the interval has no width.
 bool may_hide_failures(const AnalysisPlan& plan, const Trial& trial, double alpha) {
   const std::optional<Interval>& interval = trial.outcome.interval;
   const PairData& numbers = trial.numbers;
   const bool are_equal = interval ? interval->low == 0 && interval->high == 0 : numbers.are_all_equal;
   const bool has_width = interval && interval->low < interval->high;
   if (!are_equal && (has_width || trial.outcome.p < alpha)) return false;
-  // The relative margin is 0 beside an absolute one, which does not apply to shares.
+  // If the plan has an absolute margin, which does not apply to shares, the relative margin is 0.
   const double rare = plan.margin > 0 ? plan.margin : AnalysisPlan().margin;
   return 1 - wilson_interval(1, std::min(numbers.of_first.n, numbers.of_second.n), alpha).low > rare;
 }
@@ -221,7 +222,7 @@ Trial trial_of(const MetricSamples& samples, const AnalysisPlan& plan, const Pai
   const double margin = margin_of_trial(samples, plan, trial, takes_logs, {first, second});
   const bool is_small = lies_within(trial.outcome, margin);
   restore_infinities(trial.numbers, trial.outcome);
-  // The averages shown must lie within the margin, too: ratios in blocks do not see these.
+  // The shown averages must lie within the margin, too, because a test of ratios in blocks does not see averages.
   trial.is_same = is_small && !may_hide_failures(plan, trial, alpha) &&
                   lies_within({.estimate = first - second}, margin) &&
                   do_means_lie_within(method, trial.numbers, alpha, margin);
@@ -273,7 +274,8 @@ int required_n(const Pair& pair, const UnadjustedTest& outcome, double adjusted_
   return adjusted_p < 0.5 && enough > pair.n && enough < 1e6 ? static_cast<int>(enough) : 0;
 }
 
-// Sets verdict and interval of a difference that p decides. The estimate and the interval cannot refute it.
+// Sets verdict and interval of a difference that p decides. An estimate or an end of the interval that would refute p
+// is dropped.
 void set_difference(const MetricSamples& samples, int direction, Comparison& comparison, TestResult& tested,
                     std::optional<Interval>& interval) {
   const double null = null_value(comparison.scale);
@@ -289,7 +291,7 @@ void set_difference(const MetricSamples& samples, int direction, Comparison& com
   }
 }
 
-// Returns the interval of a pair that p does not decide: the null value lies within.
+// Returns the interval of a pair that p does not decide, widened to include the null value.
 std::optional<Interval> open_interval(const std::optional<Interval>& interval, double null, bool is_same) {
   if (!interval) return {};
   const Interval wide{std::min(null, interval->low), std::max(null, interval->high)};
@@ -297,7 +299,8 @@ std::optional<Interval> open_interval(const std::optional<Interval>& interval, d
   return wide;
 }
 
-// Judges a pair whose groups have the same blocks: the verdict of p, with an estimate that cannot refute it.
+// Returns the comparison of a pair whose groups have the same blocks. If p decides, no estimate
+// is shown that would refute p.
 Comparison judged_on_common(const MetricSamples& samples, const AnalysisPlan& plan, const Pair& pair, double tests) {
   Comparison comparison = comparison_of(pair);
   if (pair.not_tested) {
@@ -325,7 +328,7 @@ Comparison judged_on_common(const MetricSamples& samples, const AnalysisPlan& pl
   const bool is_decided = tested.adjusted_p < plan.significance;
   const bool are_means = pair.method->by == By::means && !is_proportion(samples);
   if (are_means && !is_log_scale(samples)) tested.hedges_g = hedges_g(trial.numbers.of_first, trial.numbers.of_second);
-  // With logarithms even an undecided p would be that of few values.
+  // With logarithms, even a p that does not decide would come from few values.
   if (are_means && (is_log_scale(samples) || is_same || is_decided) &&
       (is_dominated(*pair.a) || is_dominated(*pair.b))) {
     comparison.result = NotTested{.reason = NotTestedReason::dominated, .n = pair.n};
@@ -346,7 +349,8 @@ Comparison judged_on_common(const MetricSamples& samples, const AnalysisPlan& pl
   return comparison;
 }
 
-// Copies the two groups only where their blocks differ, and only while they are judged.
+// Returns the comparison of a pair. To save memory, the two groups are copied only if their blocks differ, and only for
+// this call.
 Comparison judged(const MetricSamples& samples, const AnalysisPlan& plan, const Pair& pair, double tests) {
   if (!has_other_blocks(*pair.a, *pair.b)) return judged_on_common(samples, plan, pair, tests);
   Group a = *pair.a, b = *pair.b;
@@ -357,7 +361,8 @@ Comparison judged(const MetricSamples& samples, const AnalysisPlan& plan, const 
   return judged_on_common(samples, plan, common, tests);
 }
 
-// Returns why a pair cannot be tested, whatever its size; the first reason, if there are several.
+// Returns why a pair of any size cannot be tested. If there are several reasons, returns the first in the order of the
+// enum.
 std::optional<NotTestedReason> reason_of(const Method& method, const Group& a, const Group& b, bool may_hold_copies) {
   const auto is_infinite = [](double value) { return std::isinf(value); };
   const auto has_no_answer = [&](const Group& group) {
@@ -375,8 +380,8 @@ std::optional<NotTestedReason> reason_of(const Method& method, const Group& a, c
   return first;
 }
 
-// Returns the groups with ascending values, so that no pair sorts them again; empty where values belong together by
-// their places.
+// Returns the groups with ascending values, so that no pair sorts values again; empty if the samples are paired, since
+// paired values belong together by their places.
 std::vector<Group> sorted_groups(const MetricSamples& samples) {
   if (samples.is_paired) return {};
   std::vector<Group> groups = samples.groups;

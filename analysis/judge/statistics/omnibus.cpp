@@ -45,8 +45,8 @@ std::vector<OmnibusTest> anova_of_blocks(std::vector<Group> groups) {
   for (Group& group : groups) columns.push_back(std::get<Sample>(group.sample).values);
   const std::size_t k = columns.size(), n = columns.front().size();
   if (n < 2) return {};
-  // The common part of each block is subtracted before any sum. It decides nothing, and a huge one, such as a penalty
-  // in all groups, would leave its rounding in the sums.
+  // The common part of each block is subtracted before any sum. The common part decides nothing, and a huge part, such
+  // as a penalty in all groups, would leave rounding in the sums.
   const std::vector<double> common = columns.front();
   std::vector<double> of_block(n), of_group(k);
   double mean = 0;
@@ -85,8 +85,8 @@ std::vector<OmnibusTest> anova_of_blocks(std::vector<Group> groups) {
                         .epsilon = test.epsilon})};
 }
 
-// Returns the summaries of all groups, measured or printed. A common value is subtracted, which keeps the digits that
-// many equal leading ones would cost.
+// Returns the summaries of all groups, measured or printed. A common value is subtracted, because equal leading digits
+// of all values would cost the sums precision.
 std::vector<SummaryStatistics> summaries_of(const std::vector<Group>& groups) {
   const std::span<const double> of_first = values_of(groups.front());
   const double shift = of_first.empty() ? 0 : of_first.front();
@@ -139,8 +139,8 @@ std::vector<OmnibusTest> anova(const MetricSamples& samples) {
 }
 
 double critical_difference(std::size_t groups, std::size_t blocks) {
-  // Quantiles of the studentized range with infinite degrees of freedom, divided by the root of 2. To 10 groups
-  // Demsar's table 5 has the same, to 0.001.
+  // The numbers are quantiles of the studentized range with infinite degrees of freedom, divided by the root of 2. For
+  // up to 10 groups, Demsar's table 5 has the same numbers to 0.001.
   constexpr double q[]{1.960, 2.344, 2.569, 2.728, 2.850, 2.948, 3.031, 3.102, 3.164, 3.219,
                        3.268, 3.313, 3.354, 3.391, 3.426, 3.458, 3.489, 3.517, 3.544};
   if (groups - 2 >= std::size(q)) return unknown;

@@ -11,7 +11,7 @@ namespace {
 // keeps.
 constexpr double rounding_of_doubles = 4 * std::numeric_limits<double>::epsilon();
 
-// Makes values equal to the smallest of them if they lie above it by no more than the rounding of either.
+// Makes values equal to the smallest value that lies below them by no more than the rounding of either.
 void remove_rounding(std::vector<double>& values, const std::vector<double>& roundings) {
   const std::vector<IndexedValue> order = sorted_with_index(values);
   for (std::size_t first = 0, next = 0; first < order.size(); first = next) {
@@ -19,7 +19,7 @@ void remove_rounding(std::vector<double>& values, const std::vector<double>& rou
     const auto is_equal = [&](const IndexedValue& other) {
       return other.first <= least.first + std::max(roundings[least.second], roundings[other.second]);
     };
-    // Starts behind the first, since a NaN does not equal itself.
+    // The loop starts behind the first value, because a NaN does not equal itself.
     for (next = first + 1; next < order.size() && is_equal(order[next]); ++next)
       values[order[next].second] = least.first;
   }
@@ -30,7 +30,7 @@ void settle(std::vector<double>& values, const MetricSamples& samples, bool has_
   std::vector<double> roundings;
   for (double& value : values) {
     value = has_floor ? std::max(value, floor_of(samples)) : value;
-    // An infinite value stands for "no answer", which no number equals.
+    // An infinite value stands for "no answer", so no number counts as equal to infinity.
     roundings.push_back(std::isinf(value) ? 0 : std::max(samples.resolution, rounding_of_doubles * std::abs(value)));
   }
   remove_rounding(values, roundings);
@@ -45,14 +45,15 @@ bool is_one_value(const Group& group) {
   return values_of(group).size() == 1 || is_deterministic(group) || is_constant(group);
 }
 
-// Returns the differences of the values with the same place. A single value is compared with all of the other group.
+// Returns the differences of the values with the same place. A single value is compared with all values of the other
+// group.
 std::vector<double> differences_of(const Group& first, const Group& second, const PairData& numbers,
                                    bool is_log_scale) {
   std::vector<double> differences, sizes, roundings;
   const bool is_first_one = is_one_value(first), is_second_one = is_one_value(second);
   for (std::size_t i = 0; i < (is_first_one ? numbers.second : numbers.first).size(); ++i) {
     const double x = numbers.first[is_first_one ? 0 : i], y = numbers.second[is_second_one ? 0 : i];
-    // The rounding depends on these two only, so that a huge pair hides no difference of the others.
+    // The rounding depends only on these two values, so that a huge pair hides no difference of other pairs.
     const double rounding = rounding_of_doubles * std::max({is_log_scale ? 1.0 : 0.0, std::abs(x), std::abs(y)});
     const bool are_equal = std::abs(x - y) <= rounding;
     differences.push_back(x - y);
@@ -90,8 +91,8 @@ PairData make_pair_data(const Group& first, const Group& second, const MetricSam
   settle(all, samples, takes_logs);
   if (takes_logs) std::ranges::transform(all, all.begin(), [](double value) { return std::log(value); });
   PairData numbers;
-  // Replaces infinity. Large enough that no difference, mean or shift of finite values comes near it, and small enough
-  // that its square keeps its digits.
+  // The product of `far` and the largest value replaces infinity: no difference, mean or shift of finite values comes
+  // near, and the square keeps all digits.
   constexpr double far = 1e4;
   double most = std::max(samples.absolute_margin, takes_logs ? 100.0 : 0.0);
   for (const double value : all) most = std::isinf(value) ? most : std::max(most, std::abs(value));

@@ -15,7 +15,7 @@ namespace {
 
 namespace bm = boost::math;
 
-// Boost computes in long double by default, which takes several times as long.
+// Without this policy Boost computes in long double, and takes several times as long.
 using Plain = bm::policies::policy<bm::policies::promote_double<false>>;
 using StudentsT = bm::students_t_distribution<double, Plain>;
 
@@ -24,8 +24,8 @@ constexpr std::size_t exact_unpaired = 100, exact_paired = 1000;
 double number(auto count) { return static_cast<double>(count); }
 int sign_of(double value) { return (value > 0) - (value < 0); }
 
-// Returns Student's t test of an estimate with this standard error. If the error is 0, p is the smallest that
-// permutations give.
+// Returns Student's t test of an estimate with a standard error. If the error is 0, p is the smallest that permutations
+// give.
 UnadjustedTest t_of(double estimate, double error, double df, double smallest_p, double alpha) {
   UnadjustedTest outcome{.estimate = estimate, .direction = sign_of(estimate)};
   if (error == 0) {
@@ -39,7 +39,8 @@ UnadjustedTest t_of(double estimate, double error, double df, double smallest_p,
   return outcome;
 }
 
-// Returns Satterthwaite's degrees of freedom of a sum of two estimated variances. A single value has none.
+// Returns Satterthwaite's degrees of freedom of a sum of two estimated variances. A single value has no degrees of
+// freedom.
 double df_of(double u, double m, double v, double n) {
   return (u + v) * (u + v) / (u * u / std::max(1.0, m - 1) + v * v / std::max(1.0, n - 1));
 }
@@ -77,7 +78,7 @@ Ranks midranks(Values values) {
 // The null distribution of a sum of ranks.
 struct RankSum {
   double mean = 0, variance = 0;
-  std::vector<double> probabilities = {};  // exact, by the sum times `times`; empty: normal
+  std::vector<double> probabilities = {};  // exact, by the sum times `times`; empty: normal approximation
   double times = 1;                        // 2 where ties make halves
 
   // Returns twice the tail on the side of the sum.
@@ -115,7 +116,7 @@ RankSum sum_of(const Ranks& ranks, std::size_t chosen) {
   if (chosen > 0) sum = {m * (n + 1) / 2, m * (n - m) / 12 * (n + 1 - ranks.tie_sum / (n * (n - 1)))};
   if (ranks.ranks.size() > (chosen > 0 ? exact_unpaired : exact_paired)) return sum;
   sum.times = ranks.tie_sum > 0 ? 2 : 1;
-  // Sums of any subset above the mean mirror those below, so only half of them are needed.
+  // Sums of any subset above the mean mirror those below, so only half of the sums are needed.
   const auto most = static_cast<std::size_t>(sum.times * (chosen > 0 ? n * n : sum.mean));
   std::vector<std::vector<double>> ways(chosen + 1);  // by the number chosen, and the sum
   ways[0] = {1};
@@ -137,7 +138,7 @@ RankSum sum_of(const Ranks& ranks, std::size_t chosen) {
   return sum;
 }
 
-// Returns the distribution for ranks without ties, which depends on the sizes only and is kept.
+// Returns the distribution for ranks without ties, which depends only on the sizes and is kept for later calls.
 const RankSum& without_ties(std::size_t n, std::size_t chosen) {
   thread_local std::map<std::pair<std::size_t, std::size_t>, RankSum> known;
   if (known.size() > 100) known.clear();
@@ -153,12 +154,12 @@ double two_sided(const Ranks& ranks, std::size_t chosen, double sum) {
   return sum_of(ranks, chosen).two_sided(sum);
 }
 
-// Counts for each value of `own` less the shift how many of the others are below that value, equal ones half, and
-// returns the summary of these counts. Both lists must be ascending. Differences are compared with the shift, because
-// the shift would vanish in a huge value. Sums of halves are exact, so no count is stored.
+// Returns the summary of the placements of `own`: for each value less the shift, how many of `others` are below, where
+// an equal value counts half. Both lists must be ascending. Differences are compared with the shift, because the shift
+// would vanish in a huge value. Sums of halves are exact, so no placement has to be stored.
 SummaryStatistics placements(Values own, Values others, double shift) {
   std::size_t below = 0, up_to = 0;
-  double first = 0, sum = 0, squares = 0;  // of distances to the first
+  double first = 0, sum = 0, squares = 0;  // first placement; sums over distances to the first
   for (const double& value : own) {
     while (below < others.size() && value - others[below] > shift) ++below;
     for (up_to = std::max(below, up_to); up_to < others.size() && value - others[up_to] >= shift;) ++up_to;
@@ -172,9 +173,9 @@ SummaryStatistics placements(Values own, Values others, double shift) {
   return {.n = static_cast<int>(own.size()), .mean = first + sum / n, .sd = sd};
 }
 
-// Maps the bits of doubles to whole numbers in the same order, and back. Bisection of these numbers ends at a double
-// after at most 64 steps, whatever the sizes. Halving the values would stop beside the double, or would take a thousand
-// steps down to a tiny one.
+// Maps the bits of doubles to whole numbers in the same order, and back. Bisection of the whole numbers ends at a
+// double after at most 64 steps, whatever the sizes. Halving the values would stop beside the double, or would take a
+// thousand steps down to a tiny one.
 std::int64_t in_order(std::int64_t bits) {
   return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits - 1 : bits;
 }
@@ -207,7 +208,7 @@ UnadjustedTest of_sums(std::vector<double> x, std::vector<double> y, bool are_sa
       else
         low = std::max(middle + 1, index_of(above));
     }
-    return value_at(low) + 0.0;  // 0, not -0
+    return value_at(low) + 0.0;  // turns -0 into 0
   };
   UnadjustedTest outcome{.estimate = (smallest((all + 1) / 2) + smallest(all / 2 + 1)) / 2};
   if (rank >= 1 && rank <= all) outcome.interval = Interval{smallest(rank), smallest(all + 1 - rank)};
@@ -241,7 +242,7 @@ std::vector<IndexedValue> sorted_with_index(Values values) {
   std::vector<IndexedValue> order;
   order.reserve(values.size());
   for (const double value : values) order.emplace_back(value, order.size());
-  // Two ascending groups, one after the other, are merged.
+  // Two ascending groups, one after the other, need no sort: merging them is faster.
   const auto end = std::ranges::is_sorted_until(order, {}, &IndexedValue::first);
   if (std::ranges::is_sorted(end, order.end(), {}, &IndexedValue::first))
     std::ranges::inplace_merge(order, end, {}, &IndexedValue::first);
@@ -251,7 +252,7 @@ std::vector<IndexedValue> sorted_with_index(Values values) {
 }
 
 double min_p_unpaired(std::size_t m, std::size_t n) {
-  if (m > n) std::swap(m, n);  // to the same bits
+  if (m > n) std::swap(m, n);  // so that both orders of the sizes give the same bits
   double p = 2;
   for (std::size_t i = 1; i <= m; ++i) p *= number(i) / number(n + i);
   return std::min(1.0, p);
@@ -303,7 +304,8 @@ UnadjustedTest rank_test(Values first, Values second, double alpha) {
       else
         out = next;
     }
-    return std::abs(value_at(kept)) < std::numeric_limits<double>::min() ? 0 : value_at(kept);  // beside 0
+    // An end at 0 is only approached, so the bisection stops at a subnormal number beside 0.
+    return std::abs(value_at(kept)) < std::numeric_limits<double>::min() ? 0 : value_at(kept);
   };
   if (const auto interval = outcome.interval)
     outcome.interval = Interval{reached(interval->low, first_rising.front() - second_rising.back()),
