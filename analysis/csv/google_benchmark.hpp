@@ -1,5 +1,5 @@
 // Reads CSV files of Google Benchmark, which have rows that sum up other rows. Such rows are known only by their names.
-// user_csv.cpp calls this for every file.
+// user_csv.cpp calls these functions for every file. Google documents the format:
 // https://github.com/google/benchmark/blob/main/docs/user_guide.md#output-formats
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace ikbench::csv {
 
-// Leaves out the rows that sum up others, unless --where takes a name, and returns the names of these rows. Does
+// Leaves out the rows that sum up other rows, unless --where takes a name, and returns the names of these rows. Does
 // nothing to files of other programs.
 std::vector<std::string> leave_out_aggregates(Sheet& sheet, const Request& request);
 

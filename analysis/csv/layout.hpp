@@ -1,6 +1,6 @@
-// Finds the columns of label, values, blocks and runs in a user's table, as the user says. Nothing is guessed from
-// names, texts or numbers, except that a column that numbers the rows has no values. docs/your-own-csv.md is its
-// documentation.
+// Finds the columns of label, values, blocks and runs in a user's table by the user's options. Nothing is guessed from
+// names, texts or numbers, except that a column that numbers the rows has no values. docs/your-own-csv.md documents the
+// options.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct Request {
   std::vector<std::string> values = {};  // quantities; if the label is `columns`, groups
   std::vector<std::string> label = {};   // columns that name the groups; `columns`: each column of values is a group
   std::vector<std::string> block = {};   // target or problem that all groups had, which makes values paired
-  std::string run = {};                  // rows of a run (of a block) are averaged; `row`: each row is one
+  std::string run = {};                  // rows of a run (of a block) are averaged; `row`: each row is a run
   std::vector<std::string> where = {};   // "metric=error": takes only these rows
   std::vector<std::string> better = {};  // "smaller" or "larger"; for one column "quality=larger"
   std::string missing = {};              // rows without a value: "drop" or "worst"; empty: the user is asked
@@ -36,12 +36,12 @@ struct Request {
 
 // The columns of a table. Without a label each column of values is a group.
 struct Layout {
-  Column label, block, run;  // run: empty if each row is one
+  Column label, block, run;  // run is empty if each row is a run
   Columns values, unused;
 };
 
-// Thrown if an option is missing: what() is a sentence. `columns` describes the columns of the file as a table,
-// `answers` has the options of each possible answer, `options` those to add if not all answers are listed, with
+// The exception for a missing option, with a sentence in what(). `columns` describes the columns of the file as a
+// table, `answers` has the options of each possible answer, `options` those to add if not all answers are listed, with
 // placeholders in capitals, and `advice` says what the options mean.
 struct MissingOption : std::invalid_argument {
   explicit MissingOption(const std::string& what) : invalid_argument(what) {}
@@ -58,9 +58,9 @@ struct SummaryColumns {
 SummaryColumns summary_columns_of(const Sheet& sheet);
 
 // Removes the rows that the request does not want, and returns the columns. A column of texts and one of numbers are
-// label and values, if no others are left; so is one column of numbers beside a label. If a column stays unnamed, the
-// user has to say what a row is. A column that numbers the rows is not used, unless an option names it or no other has
-// numbers. Throws MissingOption, or std::invalid_argument as Sheet does.
+// label and values, if no other columns are left. One column of numbers beside a label has the values. If a column
+// stays unnamed, the user has to say what a row is. A column that numbers the rows is not used, unless an option names
+// the column, or no other column has numbers. Throws MissingOption, or std::invalid_argument as Sheet does.
 Layout layout_of(Sheet& sheet, const Request& request);
 
 }  // namespace ikbench::csv

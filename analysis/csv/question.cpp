@@ -18,8 +18,8 @@ namespace {
 
 using Options = std::vector<std::string>;
 
-constexpr std::size_t most_counted = 1'000'000;  // cells; a question looks at all cells of a table with no more
-constexpr std::size_t few_rows = 1000;           // rows that it looks at otherwise
+constexpr std::size_t most_counted = 1'000'000;  // cells; a question reads all rows of a table with no more cells
+constexpr std::size_t few_rows = 1000;           // rows of a larger table that a question reads
 constexpr std::size_t most_shown = 15;           // columns
 constexpr std::size_t most_labels = 100;
 constexpr std::size_t most_answers = 6;
@@ -95,7 +95,7 @@ class Asking {
     asked.options = joined(joined(label_option, value_option), better());
   }
 
-  // Returns the columns of means, if each column of numbers is a mean or its spread: "alpha_mean" and "alpha_std".
+  // Returns the columns of means, if each column of numbers has means or spreads: "alpha_mean" and "alpha_std".
   Columns means() const {
     Columns means;
     const Columns all = numbers();
@@ -137,7 +137,7 @@ class Asking {
     return facts.are_whole ? "whole" : "number";
   }
 
-  // Returns the columns as a table. If there are many, those that may be labels or values come first.
+  // Returns the columns as a table. If there are many columns, those that may be labels or values come first.
   std::vector<Options> described() const {
     std::vector<Options> shown, others;
     for (const Facts& facts : facts_) {
@@ -196,7 +196,7 @@ class Asking {
     return units.size() == 1;
   }
 
-  // Adds an answer per possible label and value, if they are few. Whole commands would be too many, so each answer
+  // Adds an answer per possible label and value, if few are possible. Whole commands would be too many, so each answer
   // leads to the question what a row is. Returns whether an answer was added.
   bool add_answers_of_columns(MissingOption& asked, const Columns& labels) const {
     std::vector<Options> of_labels, of_values;

@@ -1,5 +1,6 @@
 // Asks the user for options that a table needs: shows the columns of the table, and the commands that could answer.
-// Called by layout.cpp and user_csv.cpp when they cannot know. Looks at a million cells at most.
+// layout.cpp and user_csv.cpp ask if the options leave the layout open. A question reads a million cells at most, so
+// that huge tables are quick, too.
 #pragma once
 
 #include <string_view>
@@ -8,7 +9,7 @@
 
 namespace ikbench::csv {
 
-// Returns whether a column is 0, 1, 2 ... or 1, 2, 3 ... in the order of the rows, as pandas and R write it.
+// Returns whether a column is 0, 1, 2 ... or 1, 2, 3 ... in the order of the rows, as pandas and R write row numbers.
 bool is_index(const Sheet& sheet, std::size_t column);
 
 // The columns, as far as they are known when a question has to be asked.
@@ -23,7 +24,7 @@ struct Known {
 
 // Returns whether the rows have means and standard deviations, as --summaries reads them.
 bool are_summaries(const Sheet& sheet);
-// Adds the answer --summaries.
+// Adds the answer --summaries to a question.
 void answer_by_summaries(const Sheet& sheet, MissingOption& asked, const std::vector<std::string>& better);
 
 // Throws MissingOption, which asks for labels and values. If few answers are possible, each is a whole command;

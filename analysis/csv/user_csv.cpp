@@ -68,7 +68,7 @@ void add_means(const Sheet& sheet, const Layout& layout, const Request& request,
       mean.sum += item.value;
       ++mean.rows;
     }
-    for (const std::size_t column : texts)  // which may name quantities
+    for (const std::size_t column : texts)  // a column of texts may name quantities, whose mean has no meaning
       if (const auto first = sheet.cell(items.means.back().first, column); first != sheet.cell(item.row, column))
         sheet.refuse(item.row, column,
                      fmt::format("is not {}, as in the same mean; name it in --label, --block, --run or --where",
@@ -81,7 +81,7 @@ void expect_repeats(const Sheet& sheet, const Layout& layout, const Items& items
   if (!layout.label) return;
   const std::string title = in_quotes(sheet.titles()[*layout.label]);
   const bool is_each_row =
-      items.groups.size() == items.values.size() && items.values.size() > 2;  // two may be a sketch
+      items.groups.size() == items.values.size() && items.values.size() > 2;  // two rows may be a sketch
   if (is_each_row) sheet.refuse_units(*layout.label);
   if (is_each_row && are_summaries(sheet)) {
     MissingOption asked(sheet.said(fmt::format("{} names each row, as in a table of printed means", title)));
@@ -133,7 +133,8 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
   return items;
 }
 
-// Asks whether smaller or larger is better in a column. `are_others_said`: for other columns that is known.
+// Asks whether smaller or larger is better in a column. `are_others_said` is true if the user answered for other
+// columns.
 [[noreturn]] void ask_better(const Sheet& sheet, const std::string& title, bool is_one_of_several,
                              bool are_others_said) {
   MissingOption question(sheet.said(
@@ -144,8 +145,8 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
   throw question;
 }
 
-// Returns for each title whether smaller or larger is better. Asks if the user did not say so, because no name and no
-// number does.
+// Returns for each title whether smaller or larger is better. Asks if the user did not say so, because neither names
+// nor numbers say so.
 std::vector<Better> better_of(const Sheet& sheet, const Request& request, const std::vector<std::string>& titles) {
   std::map<std::string_view, std::string_view> directions;  // by column; "": for all columns
   for (const std::string_view option : request.better) {
@@ -176,8 +177,9 @@ MetricSamples quantity_of(const std::string& title) {
   return samples;
 }
 
-// The rows without a value, among those that a group should have. In a block that is the largest number of rows of any
-// group, since all groups had the same problems. A run without a block may end early.
+// The rows without a value, among the rows that a group should have. In a block, each group should have as many rows as
+// the largest group, since all groups had the same problems. Without blocks no number of rows is expected, because a
+// run may end early.
 struct Gaps {
   std::vector<Index> rows_of_unit;         // empty if there are no blocks
   std::vector<std::size_t> missing, rows;  // by group
@@ -263,7 +265,7 @@ Sample sample_in(const Layout& layout, std::span<const Mean> means, const Gaps& 
       add(mean.unit, static_cast<double>(mean.sum / mean.rows));
   }
   if (layout.block && is_worst) add_absent(static_cast<Index>(gaps.rows_of_unit.size()));
-  // Infinite values, such as time-outs, have no end that is known, so they repeat nothing.
+  // Infinite values, such as time-outs, have no known end, so equal ones are not repeats.
   const std::vector<double>& values = measured.values;
   measured.is_constant = values.size() > 1 && std::isfinite(values.front()) &&
                          std::ranges::count(values, values.front()) == std::ssize(values);
@@ -289,7 +291,7 @@ void add_warnings(const Items& items, const Gaps& gaps, const Request& request, 
     add(missing, items.groups[i], gaps.missing[i]);
     add(without, items.groups[i], infinite[i]);
     for (Warning* const warning : {&missing, &without}) warning->total += static_cast<double>(gaps.rows[i]);
-    if (!has_values) continue;  // such a group is not compared
+    if (!has_values) continue;  // a group without values is not compared
     least = std::min(least, gaps.share(i));
     most = std::max(most, gaps.share(i));
   }
@@ -495,10 +497,10 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
 struct MarginText {
   std::optional<double> number = {};  // empty: no number
   bool is_relative = false;           // in percent of the values
-  bool has_no_share = false;          // values may be negative, so that a share of them means nothing
+  bool has_no_share = false;          // values may be negative, so that a share of a value means nothing
 };
 
-// Returns why a margin cannot be; null if it can. `largest` is the largest size of a value.
+// Returns why a margin is impossible; null if the margin is possible. `largest` is the largest size of a value.
 const char* margin_error(const MarginText& margin, const MetricSamples& samples, double largest) {
   const std::optional<double>& number = margin.number;
   if (!number || !(*number >= 0) || !std::isfinite(*number)) return "expected 5%, or 0.1 in the unit of the values";
