@@ -51,7 +51,7 @@ void for_each_csv_column(Visit&& visit) {
   });
 }
 
-// The number of cells of each column: of a list, its elements in the first solve.
+// The number of cells of each column. A list has a cell for each element in the first solve.
 using Widths = std::vector<std::size_t>;
 
 Widths widths_of(const SolveRecord& record) {

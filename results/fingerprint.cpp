@@ -46,7 +46,7 @@ class Hash {
   std::string text() const { return fmt::format("{:016x}{:016x}", first_, second_); }
 
  private:
-  // splitmix64: Steele, Lea and Flood 2014.
+  // Returns a well mixed word: the function is splitmix64 (Steele, Lea and Flood 2014).
   static std::uint64_t mixed(std::uint64_t word) {
     word += 0x9E3779B97F4A7C15;
     word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9;
@@ -57,7 +57,7 @@ class Hash {
   std::uint64_t first_ = 1, second_ = 2;
 };
 
-// Adds a value. -0.0 outside of lists counts as 0.0, because a store cannot tell them apart.
+// Adds a value. Outside of lists -0.0 counts as 0.0, because a store cannot tell the two apart.
 template <class Value>
 void add_column(Hash& hash, const Value& value) {
   if constexpr (std::is_enum_v<Value>) {

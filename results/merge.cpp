@@ -25,8 +25,7 @@ namespace fs = std::filesystem;
 
 std::string quoted(const fs::path& place) { return fmt::format("'{}'", place.string()); }
 
-// Opens a store for reading. A store that a kill left half-written is opened for writing
-// instead, which mends it.
+// Opens a store for reading. If a kill left the store half-written, opening the store for writing mends the file.
 Store opened(const fs::path& place) {
   try {
     return Store(place, Store::Mode::read);
@@ -36,12 +35,12 @@ Store opened(const fs::path& place) {
 }
 
 // The parts of a definition that may differ between two stores: how a study is judged and drawn, which targets are
-// unreachable, how often it is run; what follows from other parts; and what the keys of series compare, such as how
-// programs are started.
+// unreachable, and how often the study is run. Some parts follow from others, and the keys of series compare the rest,
+// such as how programs are started.
 const std::set<std::string> decide_no_solve{"analysis", "departures", "figures", "name",  "unreachable_targets",
                                             "solvers",  "published",  "runs",    "title", "turns"};
 
-// Links by which an arm was chosen: the arm has those that were taken, whether they were named or found.
+// The links by which an arm was chosen. The definition's arm has the links that were taken, whether named or found.
 const std::set<std::string> settled_in_arm{"urdf.base", "urdf.tip"};
 
 std::vector<std::string> keys_of(const StoredStudy& study) {
@@ -57,7 +56,7 @@ std::vector<std::string> configurations_of(const StoredStudy& study) {
 }
 
 // Returns why two studies of one name cannot be merged; empty if they can. Different numbers of runs are no reason,
-// since the larger one counts.
+// since the larger number counts.
 std::string why_not_one(const StoredStudy& study, const StoredStudy& other) {
   const std::string difference = difference_in_solves(study.definition.json, other.definition.json);
   if (!difference.empty()) return difference;
@@ -104,8 +103,8 @@ void refuse_another_study(Studies& known, const std::vector<StoredStudy>& studie
   }
 }
 
-// The rows of solves in the database `source` that belong to its studies, and so were checked. Rows of former keys, and
-// of targets beyond those of a study, were not. CROSS JOIN keeps the order of the rows.
+// The rows of solves in the database `source` that belong to studies of `source`, and so were checked. Rows of former
+// keys, and of targets beyond those of a study, were not checked. CROSS JOIN keeps the order of the rows.
 constexpr std::string_view checked_solves =
     "source.solves CROSS JOIN (SELECT key, max(json_extract(definition, '$.points')) AS points FROM source.series "
     "JOIN source.studies ON study = name GROUP BY key) ON key = series AND point <= points";
@@ -114,9 +113,9 @@ std::int64_t number_of(SQLite::Database& sqlite, std::string_view rows) {
   return sqlite.execAndGet(fmt::format("SELECT count(*) FROM {}", rows)).getInt64();
 }
 
-// Throws std::invalid_argument if a solve in the database `source` has other bits than the same one in `main`.
+// Throws std::invalid_argument if a solve in the database `source` has other bits than the same solve in `main`.
 void refuse_other_bits(SQLite::Database& sqlite, const fs::path& ours, const fs::path& theirs) {
-  // An empty store differs in nothing, and needs no scan of the other one.
+  // An empty store differs in nothing, and needs no scan of the other store.
   if (sqlite.execAndGet("SELECT NOT EXISTS (SELECT 1 FROM main.solves)").getInt() != 0) return;
   std::vector<std::string> differ;
   for_each_column_of_fingerprint([&](std::string_view column, auto) {
@@ -148,8 +147,8 @@ void check_taken(SQLite::Database& sqlite, const Store& ours, const MakeCheck& c
       check_solves(ours, study, check_of, theirs);
 }
 
-// Copies what `main` lacks from the database `source`, sessions of new solves under new numbers. The larger number of
-// runs stays. Returns how many solves are new.
+// Copies what `main` lacks from the database `source`. The sessions of new solves get new numbers, and each study keeps
+// the larger number of runs. Returns how many solves are new.
 std::int64_t copy_missing(SQLite::Database& sqlite) {
   const std::string session = sqlite.execAndGet("SELECT coalesce(max(id), 0) FROM main.sessions").getString();
   const std::string row = sqlite.execAndGet("SELECT coalesce(max(rowid), 0) FROM main.solves").getString();

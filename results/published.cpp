@@ -13,7 +13,7 @@ using namespace base;
 
 namespace {
 
-// Not a constant expression, because some tables are longer than clang++ counts.
+// The array is no constant expression, because some tables are longer than clang++ counts.
 const base::EmbeddedFile files[]{
 #include "published_tables.inc"
 };

@@ -32,8 +32,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t application_id = 0x494B424E;  // "IKBN" in the header of the file
-constexpr int patience_ms = 10'000;                  // how long to wait for a process that has locked the file
-constexpr int folding_patience_ms = 5'000;           // how long to wait for readers before the log stays
+constexpr int patience_ms = 10'000;                  // waiting time for a process that has locked the file
+constexpr int folding_patience_ms = 5'000;           // waiting time for readers before the log stays
 
 std::string create_tables() {
   return fmt::format(
@@ -50,7 +50,7 @@ std::string create_tables() {
       application_id, store_version, solve_declarations());
 }
 
-// The table of extras. Only a store whose solves have some has this table.
+// The table of extras. Only a store whose solves have extras has this table.
 constexpr const char* create_extras =
     "CREATE TABLE extras (series TEXT NOT NULL, run INTEGER NOT NULL, point INTEGER NOT NULL, name TEXT NOT NULL, "
     "value REAL, PRIMARY KEY (series, run, point, name)) STRICT, WITHOUT ROWID";
@@ -116,8 +116,8 @@ std::string our_schema() {
   return schema_of(empty);
 }
 
-// Returns true for a file that the system makes while it is read, such as /proc/kmsg: its size is 0 but it has bytes.
-// SQLite would wait for its first bytes for ever.
+// Returns whether the system makes the file while a program reads, as /proc/kmsg: the size is 0, but there are bytes.
+// SQLite would wait for the first bytes for ever.
 bool is_made_by_reading(const fs::path& path) {
   std::error_code none;
   const auto says_to_be_empty = [&] { return fs::file_size(path, none) == 0 && !none; };
@@ -162,8 +162,8 @@ std::string checked_path(const fs::path& file, Store::Mode mode) {
                   file));
 }
 
-// Returns true if the file system has no locks, as a network file system without a lock daemon. SQLite reports that as
-// busy.
+// Returns true if the file system has no locks, as a network file system without a lock daemon. SQLite reports missing
+// locks as busy.
 bool lacks_locks(const std::string& file) {
   struct flock anything {};
   anything.l_type = F_RDLCK;
@@ -201,7 +201,7 @@ bool lacks_locks(const std::string& file) {
       [[fallthrough]];
     case SQLITE_CANTOPEN:
       if (errno == EMFILE || errno == EIO) base::refuse_place("read", file, errno);
-      try {  // SQLite does not say why it could not open; a full disk also refuses a new folder
+      try {  // SQLite does not say why opening failed; a full disk also refuses a new folder
         base::TemporaryFolder(fs::absolute(file).parent_path(), file);
       } catch (const std::invalid_argument&) {
       }
@@ -228,7 +228,7 @@ bool lacks_locks(const std::string& file) {
   }
 }
 
-// Executes a statement that returns nothing. It can be executed again.
+// Executes a statement that returns nothing. The statement can be executed again.
 template <class... Values>
 void execute(SQLite::Statement& statement, const Values&... values) {
   SQLite::bind(statement, values...);
@@ -242,10 +242,10 @@ std::string name_of_extra(const SQLite::Column& column) {
   return name;
 }
 
-// Calls `action` and returns its result. Throws as `refuse` if SQLite fails or finds damage.
+// Calls `action` and returns the result. Throws as `refuse` if SQLite fails or finds damage.
 template <class Action>
 auto guarded(const std::string& file, Action&& action) {
-  errno = 0;  // SQLite sets it where a call fails
+  errno = 0;  // SQLite sets errno where a call fails
   try {
     return action();
   } catch (const SQLite::Exception& error) {
@@ -283,8 +283,8 @@ struct Store::Database {
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
 
-  // Sets the journal. If another process changes it at the same time, SQLite is busy at once, whatever its timeout; so
-  // this waits itself.
+  // Sets the journal. If another process changes the journal at the same time, SQLite is busy at once, whatever the
+  // timeout, so this function waits instead.
   void keep_journal(const char* statements) {
     for (int waited_ms = 0;; waited_ms += 10) {
       const int code = sqlite.tryExec(statements);
@@ -310,11 +310,11 @@ struct Store::Database {
           "'{}' is a store of version {}, and this ikbench reads version {} alone; read it with the ikbench "
           "that made it, or run its studies into a new store",
           name, version, store_version));
-    // SQLite reads missing bytes of the last page as zeros, so check the size. A kill while the log is folded in may
-    // leave half a page, which is no damage if the log still has that page.
+    // SQLite reads missing bytes of the last page as zeros, so the size is checked. A kill while the log is folded in
+    // may leave half a page, which is no damage if the log still has that page.
     const auto size = fs::file_size(name), page = static_cast<std::uintmax_t>(number("PRAGMA page_size"));
     if (size % page != 0 && !log_has(size / page + 1, page)) throw CorruptValue("it is truncated");
-    // A stranger's view may be endless, and a column may be computed.
+    // Foreign tables and views are refused, because a view may be endless, and a column may be computed.
     if (schema_of(sqlite) != our_schema()) throw CorruptValue("its tables and views are not those that ikbench makes");
     std::string verdict = sqlite.execAndGet("PRAGMA quick_check(1)").getString();
     verdict.erase(0, verdict.rfind('\n') + 1);
@@ -343,7 +343,7 @@ struct Store::Database {
     if (::stat(sqlite.getFilename().c_str(), &status) != 0) return std::nullopt;
     return std::pair(status.st_dev, status.st_ino);
   }
-  // Returns false if the file was unlinked or moved away. SQLite would continue to write it.
+  // Returns false if the file was unlinked or moved away. SQLite would continue to write into the lost file.
   bool is_in_place() const { return identity && identity_there() == identity; }
   void check_place() const {
     if (!is_in_place()) refuse_taken_away(name);
@@ -359,13 +359,13 @@ struct Store::Database {
     });
   }
 
-  // Folds the log in, unless another process continues to read or write. Even then the committed data are safe, and the
-  // next writer folds it in.
+  // Folds the log into the file, unless another process continues to read or write. Even then the committed data are
+  // safe, and the next writer folds the log in.
   void fold(int wait_ms) {
     sqlite.setBusyTimeout(wait_ms);
     sqlite.tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
-    // If the file is no longer in its place, this would remove the log of another file. A read undoes what failed
-    // half-way.
+    // If the file is no longer at the path, a change of the journal would remove the log of another file. In the
+    // second try, the read undoes a change that failed half-way.
     for (int tries = 0; tries < 2 && is_in_place(); ++tries)
       if (sqlite.tryExec("SELECT 1 FROM sqlite_master; PRAGMA journal_mode = DELETE") != SQLITE_IOERR) break;
     sqlite.setBusyTimeout(patience_ms);

@@ -17,8 +17,8 @@ using namespace base;
 
 namespace {
 
-// Returns a list of numbers as a JSON array. JSON has neither NaN nor infinity, so they become null and 1e999, which
-// every reader rounds to infinity.
+// Returns a list of numbers as a JSON array. JSON has neither NaN nor infinity, so NaN becomes null, and infinity
+// becomes 1e999, which every reader rounds to infinity.
 constexpr std::string_view json_nan = "null";
 constexpr std::string_view json_infinity = "1e999";
 constexpr std::string_view json_minus_infinity = "-1e999";
@@ -62,7 +62,7 @@ void read_numbers(std::string_view array, std::vector<double>& numbers) {
   if (array.ends_with(",]")) throw CorruptValue("an empty place in a list of numbers");
 }
 
-// Returns the SQL type of a member of the record. SQLite has no NaN; NULL stands for it.
+// Returns the SQL type of a member of the record. SQLite has no NaN, so NULL stands for NaN.
 template <class Value>
 constexpr std::string_view sql_type() {
   if constexpr (std::is_integral_v<Value>) return "INTEGER NOT NULL";
