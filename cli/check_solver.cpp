@@ -1,4 +1,4 @@
-// ikbench check-solver: checks an external solver for its author before a study runs the solver.
+// ikbench check-solver: checks an external solver for the solver's author before a study runs the solver.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,14 +46,14 @@ Configuration inside(const Robot& arm, const Configuration& q) {
   return q.cwiseMax(arm.limits.lower).cwiseMin(arm.limits.upper);
 }
 
-// Names the first joint whose value is not finite.
+// Returns a sentence that names the first joint whose value is not finite.
 std::string not_finite_text(const Configuration& q) {
   Eigen::Index joint = 0;
   while (joint + 1 < q.size() && std::isfinite(q[joint])) ++joint;
   return fmt::format("its answer is not finite: joint {} is {}", joint + 1, q[joint]);
 }
 
-// Makes the goal of this number. The arm reaches each goal, unless `offset` [m] moves the goal along x.
+// Makes the goal with the given number. The arm reaches each goal, unless `offset` [m] moves the goal along x.
 Goal example_goal(const Robot& arm, GoalKind kind, double offset, int number = 0) {
   const Configuration q = Configuration::LinSpaced(arm.joints(), 0.3 - 0.07 * number, 0.7 + 0.03 * number);
   Pose pose = arm.chain.forward(inside(arm, q));
@@ -70,7 +70,7 @@ struct Attempt {
   ProcessReport report;
 };
 
-// A program at work on goals of one kind for one arm, with the processes that solve them.
+// A program at work on goals of one kind for one arm, with the processes that solve these goals.
 struct CheckedProgram {
   CheckedProgram(const std::shared_ptr<const Program>& program, Robot checked_arm, GoalKind kind,
                  double goal_offset = 0)
@@ -121,7 +121,7 @@ struct CheckedProgram {
   ProcessPool processes;
 };
 
-// Returns what is wrong with an answer; empty: nothing.
+// Returns what is wrong with an answer; empty if the answer is right.
 std::string fault_text(const Attempt& attempt, const CheckedProgram& checked) {
   const ProcessReport& report = attempt.report;
   if (report.failure) return checked.processes.last_failure();
@@ -218,7 +218,7 @@ class Checks {
   }
 
   // Solves a few poses in two processes. Twenty are too few to find threads or clocks that change answers rarely.
-  // Errors up to twice the tolerance are counted separately, because their program may compute the error with less
+  // Errors up to twice the tolerance are counted separately, because a program may compute the error with less
   // precision.
   void check_repeated(CheckedProgram& chosen, CheckedProgram& second, const Attempt& first) {
     constexpr int poses = 20;
@@ -268,7 +268,7 @@ class Checks {
     line("it keeps a budget of 40 evaluations, and one of 10 iterations, half more at most", wrong);
   }
 
-  // Ends the input of the last process, which then has to end itself.
+  // Ends the input of the last process, which then has to exit.
   void check_end(WorkerProcess last) {
     if (last.child) last.child->end_input();
     const ProcessFailure heard = last.child ? unsolicited_message(*last.child, 2)

@@ -1,4 +1,4 @@
-// ikbench compare: is a solver worse than its baseline?
+// ikbench compare: says whether a solver is worse than a baseline.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -85,7 +85,8 @@ std::vector<RegressionCheck> checks_by_label(const StudyInStore& a, const StudyI
   return checks;
 }
 
-// Returns the labels of --label, or all of the baseline. Throws std::invalid_argument if the candidate lacks one.
+// Returns the labels of --label, or all labels of the baseline. Throws std::invalid_argument if the candidate lacks a
+// label.
 std::vector<std::string> requested_labels(const StudyInStore& a, const StudyInStore& b,
                                           const CompareArguments& arguments) {
   std::vector<std::string> labels = arguments.labels;
@@ -218,7 +219,7 @@ std::string changed_targets_text(const RegressionCheck& check) {
                      names_text(check.newly_unsolved), names_text(check.newly_solved), same);
 }
 
-// True if something may differ: identical solves differ at most in their times.
+// Returns whether something may differ: identical solves differ at most in their times.
 bool may_differ(const RegressionCheck& check) { return !check.is_identical || check.counts_times(); }
 
 // Returns one sentence on all labels whose solves are identical; empty if there are none.

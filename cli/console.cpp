@@ -36,7 +36,7 @@ sigset_t watched_signals() {
   return set;
 }
 
-// Writes without the C streams, which another thread may hold.
+// Writes without the C streams, because another thread may hold their locks.
 void write_at_once(const std::string& text) { static_cast<void>(!write(STDERR_FILENO, text.data(), text.size())); }
 
 void watch(const sigset_t& set) {
@@ -53,7 +53,7 @@ void watch(const sigset_t& set) {
   }
 }
 
-// Writes to standard error. Every other text but that of `write_at_once` goes through this function, so that earlier
+// Writes to standard error. Every text except that of `write_at_once` goes through this function, so that earlier
 // standard output comes first if both streams go into one file.
 void write_error(const std::string& text) {
   std::fflush(stdout);
@@ -146,9 +146,9 @@ std::string align_columns(Rows rows, std::size_t width) {
 
 SignalWatch::SignalWatch() {
   const sigset_t set = watched_signals();
-  pthread_sigmask(SIG_BLOCK, &set, nullptr);  // also in all later threads
+  pthread_sigmask(SIG_BLOCK, &set, nullptr);  // later threads inherit the mask
   std::signal(SIGXFSZ, SIG_IGN);              // beyond `ulimit -f` a write then fails, with a message
-  std::signal(SIGCHLD, SIG_DFL);              // if a parent ignored it, exit codes of programs would be lost
+  std::signal(SIGCHLD, SIG_DFL);              // a parent may ignore SIGCHLD, which would lose exit codes
   thread_ = std::thread([set] { watch(set); });
 }
 

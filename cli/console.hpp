@@ -1,4 +1,4 @@
-// The terminal: its width, progress with time left, Ctrl-C, and output of any text that cannot harm a terminal. Every
+// The terminal: width, progress with time left, Ctrl-C, and output of any text that cannot harm a terminal. Every
 // command writes through these functions or through fmt::print with `printable`.
 #pragma once
 
@@ -21,8 +21,8 @@ using namespace base;
 using namespace results;
 using namespace experiments;
 
-// Returns the text as valid UTF-8, with escapes or blanks for control characters. No name in it can then move a cursor,
-// colour a terminal or reverse the direction of writing. Newlines stay.
+// Returns the text as valid UTF-8, with escapes or blanks for control characters. No name in the text can then move a
+// cursor, colour a terminal or reverse the direction of writing. Newlines stay.
 std::string printable(std::string_view text);
 
 // Prints text, made printable and wrapped, on standard error after all earlier standard output. A failure to print is
@@ -36,8 +36,8 @@ void print_command(std::string_view command);
 
 // Returns the columns of the terminal, from 40 to 100; 100 if standard output is no terminal.
 std::size_t terminal_width();
-// Returns the text, made printable, with lines that break between words. Continuation lines are indented; a word longer
-// than a line stays whole.
+// Returns the text, made printable, with lines that break between words. Continuation lines are indented, and a word
+// longer than a line stays whole.
 std::string wrapped(std::string_view text, std::size_t width = terminal_width());
 
 // Returns a program and its arguments as a command, quoted for a shell.
@@ -48,9 +48,10 @@ using Rows = std::vector<std::vector<std::string>>;
 // wider than `width`, the words of the widest columns are wrapped.
 std::string align_columns(Rows rows, std::size_t width = terminal_width());
 
-// A thread that waits for SIGINT, SIGTERM and SIGHUP (not under nohup) until this object is destroyed. Because the
-// thread handles them, any function may be used. A signal ends the program with a sentence and exit code 128 + number,
-// after temporary folders are removed; a CancelOnSignal changes that. Make one, before any other thread.
+// A thread that waits for SIGINT, SIGTERM and SIGHUP (not under nohup) until this object is destroyed. Because a thread
+// handles the signals, any function may be called then. A signal ends the program with a sentence and exit code 128 +
+// number, after temporary folders are removed, unless there is a CancelOnSignal. A program makes one SignalWatch,
+// before any other thread, because later threads inherit the blocked signals.
 class SignalWatch : boost::noncopyable {
  public:
   SignalWatch();
@@ -61,7 +62,7 @@ class SignalWatch : boost::noncopyable {
 };
 
 // A guard that lets a command end a signal's work in order: until this object is destroyed, a first signal sets
-// `requested` and prints a message, and a second one ends the program. Needs a SignalWatch.
+// `requested` and prints a message, and a second one ends the program. The guard needs a SignalWatch.
 class CancelOnSignal : boost::noncopyable {
  public:
   CancelOnSignal();
@@ -73,13 +74,13 @@ class CancelOnSignal : boost::noncopyable {
   [[nodiscard]] bool end();
 };
 
-// The exception that a cancelled command throws, after it has printed what is kept.
+// The exception that a cancelled command throws, after the command has printed what is kept.
 struct Cancelled {};
 // Returns the exit code of a cancelled program: 128 + the number of the signal.
 int cancelled_exit_code();
 
-// Shows progress on standard error, with rate and time left. On a terminal this is a moving bar, which the destructor
-// wipes; in a log it is a line every 30 s.
+// A display of progress on standard error, with rate and time left. A terminal shows a moving bar, which the destructor
+// wipes. A log gets a line every 30 s.
 class ProgressBar : boost::noncopyable {
  public:
   using Clock = std::chrono::steady_clock;

@@ -21,7 +21,7 @@ namespace ikbench::cli {
 
 namespace {
 
-// Writes a store into one file, after its solves were checked, and returns the digest (seal) that the file has.
+// Writes a store into one file, after the solves were checked, and returns the digest (seal) that the file has.
 std::string write_archive(const std::filesystem::path& store, const std::filesystem::path& file) {
   const TemporaryFolder folder(std::filesystem::absolute(file).parent_path(), file);
   const std::filesystem::path merged = folder.path() / "store.sqlite";
@@ -71,7 +71,7 @@ void add_export(const Command& command, Invocation&) {
     const StoredStudy study = store.study(arguments->study);
     const auto write_out = [&](const Contents& contents) {
       if (arguments->file != "-") return write_through(arguments->file, contents);
-      // The program checks standard output at its end.
+      // main checks standard output for all commands.
       contents([](std::string_view part) { std::fwrite(part.data(), 1, part.size(), stdout); });
     };
     if (arguments->format == "fingerprint") {

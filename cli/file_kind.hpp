@@ -1,5 +1,5 @@
 // Recognises files that were given where another kind of file was expected, so that a message can name the command for
-// them. Used by run, robot and stats.
+// them. The commands run, robot and stats call these functions.
 #pragma once
 
 #include <stdexcept>
@@ -8,7 +8,7 @@
 
 namespace ikbench::cli {
 
-// Returns true if the file begins as SQLite files do; false if it cannot be read.
+// Returns true if the file begins as SQLite files do; false if the file cannot be read.
 bool is_store(const std::string& file);
 // Returns true for the name of a URDF file, and for a TOML file that has links and no solvers.
 bool is_arm(const std::string& file);

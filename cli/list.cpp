@@ -45,7 +45,7 @@ std::string solver_details(std::string_view name) {
 }
 
 std::string study_details(const std::string& name) {
-  if (std::error_code none; std::filesystem::is_regular_file(name, none)) {  // perhaps of a stranger
+  if (std::error_code none; std::filesystem::is_regular_file(name, none)) {  // the file may be foreign
     const toml::table study = parse_toml(text_of_file(name), name);
     const toml::array* const solvers = study["solvers"].as_array();
     const auto is_program = [](const toml::node& entry) {

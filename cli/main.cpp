@@ -50,7 +50,7 @@ class Help : public CLI::Formatter {
 constexpr auto cannot_write = "cannot write to standard output; make room on its disk, or do not close it";
 
 // Prints a mistake on the command line, or the help that was asked for, and returns the exit code. CLI11 does not say
-// which word it did not know, and names no option that is like it, so this function does.
+// which word is unknown, and names no similar option, so this function does.
 int report_parse_error(const CLI::App& app, const CLI::ParseError& error, const std::string& first) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   std::vector<std::string> names;
@@ -74,7 +74,7 @@ int report_parse_error(const CLI::App& app, const CLI::ParseError& error, const 
   return 2;
 }
 
-// True for an invalid argument, which is a user's mistake.
+// Returns whether an exception is an invalid argument, which means a user's mistake.
 bool is_mistake(const std::exception& error) { return dynamic_cast<const std::invalid_argument*>(&error) != nullptr; }
 
 std::string error_text(const std::exception& error) {
@@ -82,7 +82,7 @@ std::string error_text(const std::exception& error) {
   if (of_system != nullptr && std::ferror(stdout) != 0) return cannot_write;
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
     return "there is not enough memory (ulimit -v, or the machine's)";
-  // A runtime_error is the system's: no space left, a store that another process writes, ...
+  // A runtime_error comes from the system: no space is left, another process writes the store, ...
   const bool is_expected = is_mistake(error) || dynamic_cast<const std::runtime_error*>(&error) != nullptr;
   const bool is_thread = of_system != nullptr && of_system->code() == std::errc::resource_unavailable_try_again;
   return fmt::format("{}{}{}", is_expected ? "" : "internal error: ", error.what(),
@@ -112,7 +112,7 @@ int main(int argc, char** argv) {
 #undef COMMAND
   if (words.empty()) words.emplace_back("--help");
   const std::string first = words.front();
-  std::ranges::reverse(words);  // as CLI11 takes them
+  std::ranges::reverse(words);  // CLI11 takes the words from the back
   // A file that is opened later must not become a standard stream that the caller has closed. Writing to /dev/null,
   // opened for reading, fails as writing to a closed stream does.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})

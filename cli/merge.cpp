@@ -20,16 +20,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the stores that a place stands for: a file stands for itself, and a folder for its store.sqlite. A folder
-// without one stands for the stores of the folders in it, by name. Throws std::invalid_argument if there is no store,
-// or if a folder cannot be read.
+// Returns the stores that a place stands for: a file stands for itself, and a folder for the store.sqlite inside. A
+// folder without store.sqlite stands for the stores of the folders inside, by name. Throws std::invalid_argument if
+// there is no store, or if a folder cannot be read.
 std::vector<fs::path> stores_in(const fs::path& place) {
   std::error_code error;
-  if (!fs::is_directory(place, error)) return {place};  // opening it says what is wrong
+  if (!fs::is_directory(place, error)) return {place};  // opening the place says what is wrong
   if (fs::exists(store_path(place), error)) return {store_path(place)};
   std::vector<fs::path> stores;
   for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
-    std::error_code unknown;  // if a store cannot be looked at, opening it says why
+    std::error_code unknown;  // if a store cannot be looked at, opening the store says why
     if (fs::exists(store_path(entry->path()), unknown) || unknown) stores.push_back(store_path(entry->path()));
   }
   if (error) base::refuse_place("read", place, error.value());

@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-namespace CLI {  // known to options.cpp and main.cpp alone: its code, all inline, takes longer to compile than a
-                 // command's
+namespace CLI {  // only options.cpp and main.cpp include CLI11, whose inline code takes longer to compile
+                 // than a command's
 class App;
 class Option;
 }  // namespace CLI
@@ -59,9 +59,9 @@ using OptionTarget =
 
 // A command of the program, to which the command's file adds options.
 struct Command {
-  // Adds an option (a name with dashes) or an argument. An empty text is refused: it is often an unset variable of a
-  // script. --help shows the default if that is a number above 0, or a text that is not empty. An option with a list of
-  // texts is given once for each text.
+  // Adds an option (a name with dashes) or an argument. An empty text is refused, because the text is often an unset
+  // variable of a script. --help shows the default if the default is a number above 0, or a text that is not empty. An
+  // option with a list of texts is given once for each text.
   Option add(const std::string& name, OptionTarget value, const std::string& meaning) const;
   Option option(const std::string& name) const;  // must have been added
   bool was_given(const std::string& option) const;

@@ -38,7 +38,7 @@ constexpr EmbeddedFile styles[]{
 using figures::is_meant;
 
 // Throws std::invalid_argument for names that no figure of any study has. A name that only other studies have is
-// accepted, because the study's figures are not known before it is solved.
+// accepted, because the figures of a study are not known before the study is solved.
 void refuse_unknown_figures(const std::vector<std::string>& names) {
   std::vector<std::string> known;
   for (const auto& [name, meaning] : show::figure_list()) known.push_back(name);
@@ -92,8 +92,8 @@ bool print_never_answering(const judge::StudyResults& results, bool is_json) {
   return true;
 }
 
-// Returns the results of the library solvers that are shipped with the program. The archive lacks a definition, so that
-// of its study is made here.
+// Returns the results of the library solvers that are shipped with the program. The archive lacks a definition, so the
+// definition of the study is made here.
 judge::StudyResults results_of_archive(const std::string& robot) {
   judge::StudyResults results = judge::read_archive(robot);
   const std::string lm = fmt::format("[[solvers]]\nsolver = \"{}\"", judge::time_reference_solver);
@@ -106,7 +106,8 @@ judge::StudyResults results_of_archive(const std::string& robot) {
   return results;
 }
 
-// Returns the results of the study of this name in another store, or of its first study if no study has the name.
+// Returns the results of the study of this name in another store, or of the first study in that store if no study has
+// the name.
 judge::StudyResults results_of_store(const std::string& file, const std::string& name) {
   const Store store(file, Store::Mode::read);
   const std::vector<StoredStudy> named = store.studies(name);
@@ -192,7 +193,7 @@ void write_and_print(show::Report report, const std::filesystem::path& folder, c
        .progress = [&](std::int64_t done, std::int64_t total) { bar->show({.done = done, .total = total}); },
        .style = style},
       program_name());
-  bar.reset();  // leaves its line to the screen
+  bar.reset();  // clears the line of the bar for the screen
   for (const std::string& warning : written.warnings) warn(warning);
   const auto is_there = [&](const std::string& name) {
     return std::ranges::any_of(written.files, [&](const std::filesystem::path& file) {

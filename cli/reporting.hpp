@@ -30,7 +30,8 @@ std::string figure_list_text();
 // Adds the options of a report; --beside only if the report is of a study.
 void add_report_options(const Command& command, ReportArguments& arguments, bool is_of_study = false);
 // Returns the study's style with the styles of --style applied in their order. Throws std::invalid_argument if a
-// figure, a solver or a font is not known. Commands that solve call it first, because solving may take hours.
+// figure, a solver or a font is not known. Commands that solve call this function first, because solving may take
+// hours.
 results::FigureStyle apply_style(results::FigureStyle style, const std::vector<std::string>& labels,
                                  const ReportArguments& arguments);
 // Returns the labels of the study's series, in their order.
@@ -41,8 +42,8 @@ std::vector<std::string> citation_keys_of(std::string_view name);
 // Writes the report into the folder, and prints JSON or `screen`. An empty `screen` stands for the report's own.
 void write_and_print(show::Report report, const std::filesystem::path& folder, const ReportArguments& arguments,
                      const results::FigureStyle& style, const std::string& screen = {});
-// Returns the results that --beside names; nullopt if the option is not given. Throws std::invalid_argument if they are
-// of a different study.
+// Returns the results that --beside names; nullopt if the option is not given. Throws std::invalid_argument if the
+// results are of a different study.
 std::optional<judge::StudyResults> imported_results(const results::StoredStudy& study,
                                                     const ReportArguments& arguments);
 // Writes the report of a study in the store, and prints its screen or JSON. Returns true if a solver gave no answer in

@@ -36,9 +36,9 @@ constexpr std::string_view slim2023_name = "slim2023";
 
 struct Arguments {
   std::string paper;
-  std::int64_t seed = -1;  // -1: as in its studies
+  std::int64_t seed = -1;  // -1: as in the paper's studies
   int runs = 0;            // 0: as in the paper
-  int seeds = 3;           // of the interpretations; 0: none is solved
+  int seeds = 3;           // of each interpretation; 0: no interpretation is solved
   RunArguments run;
   ReportArguments report;
 };
@@ -47,8 +47,8 @@ Overrides overridden_runs(const Arguments& arguments) {
   return arguments.runs == 0 ? Overrides() : Overrides{fmt::format("runs={}", arguments.runs)};
 }
 
-// Returns the studies that the paper names. If the paper has a table of arms, its first study on each further arm
-// follows.
+// Returns the studies that the paper names. If the paper has a table of arms, the paper's first study on each further
+// arm follows.
 std::vector<Study> studies_of(const Paper& paper, const Arguments& arguments) {
   std::vector<Study> studies;
   const auto add = [&](const std::string& name, Overrides overrides) {
@@ -64,8 +64,8 @@ std::vector<Study> studies_of(const Paper& paper, const Arguments& arguments) {
   return studies;
 }
 
-// Returns how many studies have the fingerprint that every machine should give, and which differ. Library solvers are
-// left out, because their bits change with the library.
+// Returns a sentence that says how many studies have the fingerprint that every machine should give, and which studies
+// differ. Library solvers are left out, because their bits change with the library.
 std::string fingerprints_text(const Store& store, const std::vector<judge::JudgedStudy>& studies,
                               const std::vector<Study>& as_built_in) {
   std::vector<std::string> different;
@@ -93,8 +93,8 @@ int multiverse_jobs(const Arguments& arguments) {
   return std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
 }
 
-// Solves all combinations of what a paper leaves open, with progress. After Ctrl-C it prints a message and throws
-// Cancelled, and keeps nothing, because a claim's share needs all interpretations.
+// Solves all combinations of what a paper leaves open, with progress. After Ctrl-C, prints a message, throws Cancelled
+// and keeps nothing, because a claim's share needs all interpretations.
 papers::SolvedMultiverse solve_interpretations(const Arguments& arguments, const std::string& study,
                                                const std::vector<Dimension>& varied, int seeds) {
   CancelOnSignal signals;
@@ -104,7 +104,7 @@ papers::SolvedMultiverse solve_interpretations(const Arguments& arguments, const
       solve_multiverse(plan.parts, {.jobs = multiverse_jobs(arguments),
                                     .progress = [&](const Progress& progress) { bar->show(progress); },
                                     .cancelled = &signals.requested()});
-  bar.reset();  // leaves its line to the next words
+  bar.reset();  // clears the line of the bar for the next words
   if (signals.end()) {
     print_message("Stopped. Readings are judged together, so none is kept; the same command solves them anew.");
     throw Cancelled();
@@ -185,7 +185,7 @@ void add_slim2023(show::Report& reported, const papers::Repeated& repeated, cons
   reported.model.remove_metrics(judge::QuantityKind::evaluations);
 }
 
-// Returns the figures of the paper's own study. Those of a table of arms are drawn elsewhere.
+// Returns the figures of the paper's own study. The figures of a table of arms are drawn elsewhere.
 std::vector<figures::Figure> own_figures(const judge::JudgedStudy& own, const Paper& paper, const figures::Look& look) {
   if (paper.name == slim2023_name) return slim2023::figures_of(own, look);
   return paper.rates.is_of_arms() ? std::vector<figures::Figure>() : figures::of_study(own, look);

@@ -34,7 +34,7 @@ struct StudyToRun {
   bool without_report = false, starts_programs = false;
 };
 
-// Returns the changes of the study in the order in which they apply: --set overrides what comes before it, and only
+// Returns the changes of the study in the order in which they apply: --set overrides all earlier changes, and only
 // links and sweeps come later.
 Overrides overrides_of(const StudyToRun& arguments) {
   Overrides overrides;
@@ -59,7 +59,7 @@ Overrides overrides_of(const StudyToRun& arguments) {
 }
 
 // Reads the study of a store, to be solved again into another store. Throws std::invalid_argument if the study would
-// start programs without --start-programs, or if its solvers are not those that made the solves.
+// start programs without --start-programs, or if other solvers made the solves.
 Study study_of_store(const StudyToRun& arguments) {
   const std::string& file = arguments.study;
   if (arguments.run.out.empty())
@@ -97,7 +97,7 @@ Study study_of(const StudyToRun& arguments) {
   if (!arguments.study_of_store.empty() && !is_store(name))
     throw std::invalid_argument(fmt::format("--study is about a store, but {} is none", name));
   Study study = is_store(name) ? study_of_store(arguments) : load_study(name, overrides_of(arguments));
-  // A built-in study on another arm gets another name, so that its folder stays that of its own arm.
+  // A built-in study on another arm gets another name, so that the usual folder keeps only solves of the usual arm.
   if (!arguments.robot.empty() && study.name == name)
     study.name = (is_of_any_arm ? "" : study.name + '-') + robot_of(study).name;
   if (!arguments.only.empty()) select_solvers(study, arguments.only);

@@ -87,7 +87,8 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
         "another program has {0} open, so part of the data is still in {1}; copy both files together, or close "
         "that program and run this command again to merge them",
         files[0].string(), files[1].string()));
-  // A program can write wherever its user can, so that a study with programs is counted again.
+  // A program can write wherever the user can, also into the store, so the solves of a study with programs are counted
+  // again.
   const auto is_external = [](const SolverEntry& entry) { return entry.program != nullptr; };
   if (study.checker || std::ranges::any_of(study.solvers, is_external)) {
     const std::int64_t stored_solves = Store(store_path(folder), Store::Mode::read).solve_count(stored);

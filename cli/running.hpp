@@ -20,8 +20,8 @@ struct RunArguments {
 void add_run_options(const Command& command, RunArguments& arguments);
 
 // Runs what is missing of a study into the folder's store.sqlite, opened in this mode, and warns of unreachable
-// targets. `stored` is `to_stored(study)`. Returns "six: 288 solves in out/six/store.sqlite". After Ctrl-C it prints
-// how to continue, and throws Cancelled.
+// targets. `stored` is `to_stored(study)`. Returns "six: 288 solves in out/six/store.sqlite". After Ctrl-C, prints how
+// to continue, and throws Cancelled.
 std::string run_study(const experiments::Study& study, const results::StoredStudy& stored,
                       const std::filesystem::path& folder, experiments::RunRequest request,
                       results::Store::Mode mode = results::Store::Mode::write);

@@ -1,4 +1,4 @@
-// ikbench verify: checks whether a store has what its solvers did.
+// ikbench verify: checks whether a store has what the solvers did.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -39,12 +39,12 @@ bool is_as_archived(const Store& store, const std::string& fact, std::string_vie
 }
 
 // Returns a sentence on the store's seal; empty if the store is no archive. `line` is the fingerprint_line of the
-// study. Throws std::invalid_argument if rows were changed, or if the seal is not the given one.
+// study. Throws std::invalid_argument if rows were changed, or if the seal is not `given`.
 std::string seal_text(const Store& store, const std::string& given, const StoredStudy& study, const std::string& line) {
   const bool has_seal = std::ranges::any_of(
       store.sessions(), [](const Session& session) { return session.environment.contains(std::string(seal_fact)); });
   const std::string seal =
-      has_seal || !given.empty() ? seal_of(store) : "";  // computed only if needed, because it reads all rows
+      has_seal || !given.empty() ? seal_of(store) : "";  // computed only if needed, because a seal reads all rows
   const bool is_sealed = is_as_archived(store, std::string(seal_fact), "its seal", seal);
   const bool is_of_solves =
       is_as_archived(store, fmt::format("{}{}", fingerprint_fact, study.name), "what it holds", line);
@@ -97,7 +97,7 @@ void add_verify(const Command& command, Invocation& invocation) {
     std::optional<ProgressBar> bar("solving again");
     const RerunReport again =
         rerun_sample(store, study, arguments->solves, [&](const Progress& progress) { bar->show(progress); });
-    bar.reset();  // leaves its line to the answer
+    bar.reset();  // clears the line of the bar for the answer
     std::vector<std::string> unchecked{
         redraw ? "whether times, traces and extras were true when they were stored"
                : "whether times, targets, starts, traces and extras were true when they were "
