@@ -1,5 +1,5 @@
-// What an article takes: paragraphs for Methods and Results, tables with captions that say of what, and an example that
-// inputs all.
+// Writes what an article takes from a report: paragraphs for Methods and Results, tables whose captions name the study,
+// and an example that inputs all of them.
 #include "analysis/show/article.hpp"
 
 #include <fmt/format.h>
@@ -45,7 +45,7 @@ std::string tests_text(const std::set<std::string>& tests, const std::set<int>& 
                      base::counted(*sizes.rbegin(), noun));
 }
 
-// Returns a sentence about the pairs of a metric: each of them, or of many how often each verdict is.
+// Returns a sentence about the pairs of a metric: each pair, or how often each verdict is if the pairs are many.
 std::string pairs_sentence(const ReportModel& model, const JudgedMetric& judged) {
   std::map<std::string_view, int> counts;
   std::set<std::string> tests;
@@ -103,7 +103,7 @@ std::string methods_paragraph(const Report& report, const std::string& program) 
   sentences.push_back("Made with " + program);
   std::erase(sentences, "");
   for (std::string& sentence : sentences)
-    if (sentence.ends_with('.')) sentence.pop_back();  // as notes do
+    if (sentence.ends_with('.')) sentence.pop_back();  // the join adds full stops
   return fmt::format("{}", fmt::join(sentences, ". "));
 }
 
@@ -128,7 +128,7 @@ void write_article(const Report& report, const std::vector<std::string>& tables,
   };
   const std::string methods = methods_paragraph(report, program);
   std::vector<std::string> sentences, of_report = results_sentences(report.model);
-  for (const Block& block : report.lead) {  // of a paper what repeats, before its table
+  for (const Block& block : report.lead) {  // what a repeated paper says before the table
     if (std::holds_alternative<Table>(block)) break;
     if (const auto* const heading = std::get_if<Heading>(&block)) sentences.push_back(heading->text);
     if (const auto* const text = std::get_if<std::string>(&block)) sentences.push_back(*text);
@@ -144,7 +144,7 @@ void write_article(const Report& report, const std::vector<std::string>& tables,
   for (const std::string& table : tables) floats += fmt::format("\\input{{\\report/tables/{}}}\n", table);
   for (const figures::Figure& figure : figures) {
     const std::vector<std::string> types = picture_formats_of(figure, folder);
-    if (types.empty() || types.back() == "svg") continue;  // which LaTeX cannot draw
+    if (types.empty() || types.back() == "svg") continue;  // LaTeX cannot draw SVG
     floats += fmt::format(
         "\\begin{{figure{0}}}\n\\centering\n\\includegraphics[width=\\linewidth]{{{1}}}\n\\caption{{{2}}}\\label{{fig:{1}}}\n"
         "\\end{{figure{0}}}\n",

@@ -1,4 +1,5 @@
-// The tables and paragraphs of a report as an article has them, in LaTeX.
+// The tables and paragraphs of a report for an article, in LaTeX. write_report (publish.hpp) calls these functions. The
+// files are documented in docs/reference/report.md.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +10,18 @@
 
 namespace ikbench::show {
 
-// A paragraph of methods, the set-up without the last point. And one of results.
+// Returns the paragraph for Methods as plain text without the last full stop: the solvers and the set-up. `program` is
+// the name and version of the program.
 std::string methods_paragraph(const Report& report, const std::string& program);
+// Returns the sentences for Results: the headline, the pairs of the metrics in the headline (of all metrics if there
+// are two groups), what decides, and the warnings.
 std::vector<std::string> results_sentences(const ReportModel& model);
 
-// The table as an article has it: its name and caption say of what.
+// Returns a table for an article, with the name of the study in the table's name and caption. Rows behind the visible
+// ones are left out, unless no row is visible.
 Table article_table(const Table& whole, const Report& report);
-// The folder article/, with an example that inputs these tables and figures.
+// Writes the folder article/ of `folder`: methods.tex, results.tex, references.bib if the report cites anything, and
+// the example main.tex, which inputs these tables and figures.
 void write_article(const Report& report, const std::vector<std::string>& tables,
                    const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
                    const std::string& program);

@@ -1,4 +1,4 @@
-// What a report is made of: blocks, which writers turn into a page, Markdown, files and a screen.
+// The blocks of which a report consists. Writers turn blocks into a page, Markdown and files.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace ikbench::show {
 struct Heading {
   std::string text;
 };
-// Text is plain; writers escape.
+// A part of a section: a heading, a paragraph, a table or a figure. Texts are plain, and the writers escape them.
 using Block = std::variant<Heading, std::string, Table, figures::Figure>;
 using Blocks = std::vector<Block>;
 

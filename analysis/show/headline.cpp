@@ -132,8 +132,8 @@ std::string ratios_text(const SolverRatios& ratios, const TieBreakerWords& words
                      reference);
 }
 
-// Tells the statements of one question. The first number that a teller writes has its quantity and unit, later ones
-// have not: a teller writes one sentence.
+// Writes the sentence of one question from its statements. Only the first number of a sentence has quantity and unit,
+// so each teller writes one sentence.
 class QuestionTeller {
  public:
   QuestionTeller(const ReportModel& model, const HeadlineQuestion& question)

@@ -24,14 +24,15 @@ namespace {
 constexpr std::size_t most_points = 200;
 constexpr std::size_t most_solvers = 24;
 
-// Rounds to 1e-5, a 30th of a pixel's width for an arm of 1 m. JSON has null for what is not finite.
+// Returns the values rounded to 1e-5, which is a 30th of a pixel's width for an arm of 1 m. JSON has null for a value
+// that is not finite.
 Json rounded(const std::vector<double>& values) {
   Json list = Json::array();
   for (const double value : values) list.push_back(std::round(value * 1e5) / 1e5);
   return list;
 }
 
-// The places in a first run that the page shows: all, or of a long one evenly.
+// Returns the places in a first run that the page shows: all of a short run, and evenly spaced ones of a long run.
 std::set<std::size_t> shown_places(const StudyResults& study, const std::vector<std::string>& order) {
   std::size_t n = 0;
   for (const std::string& solver : order) n = std::max(n, study.first_run_of(solver).size());

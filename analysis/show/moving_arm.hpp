@@ -1,4 +1,4 @@
-// The moving arm of a report's page.
+// The data and the library for the moving arm on a report's page. write_report (publish.hpp) calls both functions.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,12 @@
 
 namespace ikbench::show {
 
-// JSON, safe inside a script element: the arm, and targets, starts and answers of each solver's first run (at most 200
-// points of 24 solvers, in the given order of labels). nullopt if the definition does not describe the arm or nothing
-// is solved.
+// Returns JSON that is safe inside a script element: the arm, and the targets, starts and answers of each solver's
+// first run. At most 200 points of 24 solvers are taken, in the `order` of labels. Returns nullopt if the study's
+// definition does not describe the arm, if no solver has a first run, or if a coordinate of a target is beyond 1000 m.
 std::optional<std::string> animation_json(const judge::StudyResults& study, const std::vector<std::string>& order);
 
-// three.js and its OrbitControls, as they were where the program was built; empty without them.
+// Returns the sources of three.js and OrbitControls that the build embedded. Empty if the build had none.
 std::string threejs_source();
 
 }  // namespace ikbench::show

@@ -67,7 +67,7 @@ struct PageWriter {
     return text + "</div>\n";
   }
   std::string operator()(const figures::Figure& figure) const {
-    constexpr std::size_t largest = 4'000'000;  // of a picture in the page [bytes]; a larger one stands in its folder
+    constexpr std::size_t largest = 4'000'000;  // picture within the page [bytes]; a larger one is only linked
     const std::string caption = html_text(figure.caption);
     std::string picture;
     for (const auto& [type, media] : {std::pair("svg", "svg+xml"), std::pair("png", "png")}) {
@@ -81,7 +81,7 @@ struct PageWriter {
   }
 };
 
-// The first section: the sentence, what was studied, and side by side the table and the arm.
+// Returns the first section: the headline, the text of the study, and the table and the arm side by side.
 std::string lead_section(const std::string& title, const Blocks& blocks, const PageWriter& write,
                          const std::string& contents, std::string_view stage) {
   std::string head, body;
@@ -144,7 +144,7 @@ struct MarkdownWriter {
 
 }  // namespace
 
-// Replaced text is not searched again, so that a value may hold "{{".
+// The replaced text is not searched again, so that a value may hold "{{".
 std::string fill_template(std::string_view name, const std::map<std::string, std::string, std::less<>>& values) {
   const std::string_view page = template_named(name);
   std::string text;

@@ -149,7 +149,7 @@ std::string budget_text(const StudyResults& study) {
 }
 
 std::string failure_reasons_text(const StudyResults& study) {
-  if (!study.definition.has_tolerance()) return "";  // nothing is solved or not
+  if (!study.definition.has_tolerance()) return "";  // no solve counts as solved or unsolved
   NamesByPhrase reasons;
   for (const std::string& label : study.labels) {
     std::set<std::string> of_label;

@@ -1,4 +1,6 @@
-// The few sentences of reports and screens. Numbers are those of the tables.
+// The words and sentences that tables, the headline, pages and screens share. A phrase about a comparison is made here,
+// so that all writers use the same one. Numbers in a phrase are formatted as in the tables (text.hpp). The words are
+// explained in docs/glossary.md and docs/reference/report.md.
 #pragma once
 
 #include <set>
@@ -11,47 +13,63 @@
 
 namespace ikbench::show {
 
-constexpr std::size_t max_pairs = 6;  // that a screen or paragraph lists
+// The most pairs of solvers that a screen or a paragraph lists.
+constexpr std::size_t max_pairs = 6;
 
-// Each word once, with the names that have it, each once.
+// The names for which a phrase holds, by phrase: solvers by the reason why they failed, for instance.
 struct NamesByPhrase {
   std::vector<std::pair<std::string, std::vector<std::string>>> entries = {};
 
+  // Adds a name to a phrase. A phrase or a name that is already there is not added twice.
   void add(const std::string& word, const std::string& name);
-  std::vector<std::string> formatted(const char* form) const;  // by fmt: {0} is the word, {1} its names
+  // Returns a text per phrase. `form` is a format of fmt, in which {0} is the phrase and {1} are the names.
+  std::vector<std::string> formatted(const char* form) const;
 };
-// "better", "same within 5 %", "not decided: all 20 equal", "not decided", "not tested: no values"
+// Returns the verdict of a comparison for readers: "better", "same within 5 %", "not decided: all 20 equal", "not
+// decided", "not tested: values are missing".
 std::string comparison_text(const judge::Comparison& comparison, const judge::JudgedMetric& judged);
-// A verdict in files of numbers, and its colour.
+// The word for a verdict in files of numbers, and the tone in which a page colours the verdict.
 struct VerdictStyle {
   std::string_view key;
   Tone tone = Tone::neutral;
 };
+// Returns the word for a verdict in files of numbers, and the tone of the verdict.
 const VerdictStyle& verdict_words(judge::Verdict verdict);
-// Why a pair is not tested: in JSON, behind its verdict, and in place of a solver's number.
+// The words for a reason why a pair is not tested: the key in JSON, the text behind the verdict of a pair, and the text
+// in place of a solver's number.
 struct ReasonTexts {
   std::string_view key, of_pair, of_solver;
 };
+// Returns the words for a reason.
 ReasonTexts reason_words(judge::NotTestedReason why);
-std::string reason_text(const judge::NotTested& open, std::string_view noun);  // "8 runs are too few, 10 are needed"
-std::string warning_sentence(const judge::Warning& warning);                   // a sentence
-// "times", "points", or the metric's unit.
+// Returns why a pair is not tested. For samples that are too small the text has numbers of `noun`: "8 runs are too few,
+// 10 are needed".
+std::string reason_text(const judge::NotTested& open, std::string_view noun);
+// Returns a warning as a sentence with a full stop. The first letter becomes a capital, except in a solver's name.
+std::string warning_sentence(const judge::Warning& warning);
+// Returns the unit of a comparison's estimate: "times", "points", or the metric's unit. Empty without an estimate.
 std::string estimate_unit(const judge::Comparison& comparison, const judge::JudgedMetric& judged);
-// "better in 43 %, worse in 3 % of comparisons"; empty where nothing is decided, or no shares are known.
+// Returns "better in 43 %, worse in 3 % of comparisons". Empty if the test shows no difference, or has no dominance.
 std::string dominance_text(const judge::Comparison& comparison);
-// No difference and the margin's ends, as the finding's numbers are.
+// Returns the numbers that decide a comparison, on the scale of the estimate: no difference (1 for a ratio, otherwise
+// 0), and the two ends of the margin.
 std::set<double> null_and_margin(const judge::Comparison& comparison, const judge::JudgedMetric& judged);
-std::string with_unit(const std::string& text, const std::string& unit);  // "1 point", "2.5 cm"
-// "5 %", "5 points", "5 % or 0.1 mm"
+// Returns "2.5 cm", or "1 point" for one of the "points". An empty unit adds nothing.
+std::string with_unit(const std::string& text, const std::string& unit);
+// Returns the margin of a metric: "5 %", "5 points", "5 % or 0.1 mm".
 std::string margin_text(const judge::JudgedMetric& judged);
 
-// Returns the title of a study; its name if it has no title.
+// Returns the title of a study, or the name of a study without a title.
 const std::string& title_of(const judge::StudyResults& study);
-// "ur5e, 20 runs of 5 targets (random)"
+// Returns the arm, the size and the target set of a study: "ur5e, 20 runs of 5 targets (random)".
 std::string study_text(const judge::StudyResults& study);
-std::string budget_text(const judge::StudyResults& study);  // "0.01 mm or 10000 evaluations"
-// "Unsolved: limit of evaluations (DLS); it gave up or limit of iterations (PSO and DE)."; empty if all are solved.
+// Returns what ends a solve: "0.01 mm or 10000 evaluations".
+std::string budget_text(const judge::StudyResults& study);
+// Returns why solves failed: "Unsolved: limit of evaluations (DLS); it gave up or limit of iterations (PSO and DE).".
+// Empty if all solves are solved, or if the study has no tolerance.
 std::string failure_reasons_text(const judge::StudyResults& study);
-std::string rejections_text(const judge::StudyResults& study);  // of answers that reached, by the study's check
+// Returns how often the study's check refused answers of each solver: "Invalid: collision (DLS 3 and PSO 1).". Empty if
+// the check refused none. More than ten faults are only counted.
+std::string rejections_text(const judge::StudyResults& study);
 
 }  // namespace ikbench::show

@@ -24,20 +24,22 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// With those of a former version: .dat, .md and .txt.
+// The types of files that reports have. Only reports of former versions have .dat, .md and .txt.
 constexpr std::array<std::string_view, 10> types_of_files{".bib", ".csv", ".dat", ".gp",  ".md",
                                                           ".pdf", ".png", ".svg", ".tex", ".txt"};
 constexpr std::array<const char*, 4> own_files{"report.html", "report.md", "results.json", "solves.csv"};
 constexpr std::array<const char*, 4> article_files{"main.tex", "methods.tex", "references.bib", "results.tex"};
 constexpr std::array<const char*, 4> folders{"article", "tables", "figures", "figures/source"};
 
-// Whether a report can have written it, in a folder of its own.
+// Returns whether a report can have written the file, because its folder and type are those of reports. results.json
+// may list any file, and only such a file may be removed.
 bool may_be_of_report(const fs::path& file) {
   return std::ranges::count(folders, file.parent_path()) > 0 &&
          std::ranges::count(types_of_files, file.extension().string()) > 0;
 }
 
-// The results.json of a folder, or an empty object; a link may be to another folder's.
+// Returns the results.json of a folder, or an empty object if there is none of ikbench. A symbolic link is not
+// followed, because the link may lead to the results.json of another folder.
 Json earlier_results(const fs::path& folder) {
   std::error_code none;
   const fs::path file = folder / own_files[2];
@@ -70,7 +72,7 @@ void remove_earlier(const fs::path& folder, const std::vector<std::string>& earl
   }
 }
 
-// Figures that were not drawn leave the page; the reasons stand where the first are missing.
+// Removes figures that were not drawn from the sections. The reasons stand where the first figures are missing.
 void leave_out_undrawn(std::vector<Blocks>& sections, const fs::path& folder, std::vector<std::string> reasons) {
   const auto is_not_drawn = [&](const Block& block) {
     const auto* const figure = std::get_if<figures::Figure>(&block);
@@ -80,7 +82,7 @@ void leave_out_undrawn(std::vector<Blocks>& sections, const fs::path& folder, st
     if (std::erase_if(blocks, is_not_drawn) == 0) continue;
     for (const std::string& reason : std::exchange(reasons, {})) blocks.push_back(fmt::format("Warning: {}.", reason));
   }
-  std::erase_if(sections, [](const Blocks& blocks) { return blocks.size() < 2; });  // that had nothing else
+  std::erase_if(sections, [](const Blocks& blocks) { return blocks.size() < 2; });  // only a heading is left
 }
 
 }  // namespace
@@ -124,7 +126,7 @@ std::vector<std::string> report_files(const std::vector<std::string>& tables,
 }
 
 std::vector<std::string> reserve_files(const fs::path& folder, std::vector<std::string> files) {
-  for (const char* name : folders) {  // what a link leads to belongs to somebody else
+  for (const char* name : folders) {  // a link may lead to foreign files
     std::error_code none;
     if (const fs::path place = folder / name; fs::is_symlink(place, none))
       throw std::invalid_argument(fmt::format("'{}' is a link; remove it, or choose another folder", place.string()));
@@ -178,7 +180,7 @@ WrittenReport write_report(const Report& report, const fs::path& folder, const f
   written.warnings = figures::write_figures(figures, folder / "figures", options);
   for (const Table* table : tables) write_table(*table, article_table(*table, report), folder / "tables", program);
   write_article(report, names, figures, folder, program);
-  // Pictures that were not drawn are not listed. Throws if nobody can tell whether a file exists.
+  // Pictures that were not drawn are not listed. is_regular_file throws if the system cannot say whether a file exists.
   std::erase_if(files, [&](const fs::path& file) {
     return file.parent_path() == "figures" && !fs::is_regular_file(folder / file);
   });

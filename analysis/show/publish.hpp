@@ -1,4 +1,6 @@
-// A report as the files of a folder.
+// Writes a report as the files of a folder: page, tables, figures and data. Commands that report on a study or a file
+// call write_report. A command that writes other files into such a folder calls reserve_files first, so that no foreign
+// file is overwritten. The files are documented in docs/reference/report.md.
 #pragma once
 
 #include <filesystem>
@@ -10,30 +12,35 @@
 
 namespace ikbench::show {
 
-// Name and meaning of each figure that some report has, whose files begin with it.
+// Returns the name and the meaning of each figure that some report has. The names of the figure's files begin with the
+// figure's name.
 std::vector<std::pair<std::string, std::string>> figure_list();
 
-// The types of a figure's pictures that stand there: "svg", "pdf", "png".
+// Returns the types ("svg", "pdf", "png") of a figure's pictures that exist in the folder figures/ of `folder`.
 std::vector<std::string> picture_formats_of(const figures::Figure& figure, const std::filesystem::path& folder);
 
-// NAME.csv and, of what an article shows, NAME.tex.
+// Writes NAME.csv from `table` and NAME.tex from `article`, where NAME is the name of `table`. The LaTeX ends with a
+// comment that names `program`, unless `program` is empty.
 void write_table(const Table& table, const Table& article, const std::filesystem::path& folder,
                  const std::string& program);
 
+// The files of a report that was written.
 struct WrittenReport {
   std::filesystem::path page;         // report.html
-  std::vector<std::string> files;     // all, from the folder
-  std::vector<std::string> warnings;  // figures that were not drawn
+  std::vector<std::string> files;     // all files, relative to the folder, sorted
+  std::vector<std::string> warnings;  // figures that were not drawn, unused words of the style, no moving arm
 };
-// Those of tables of these names, and of figures.
+// Returns the files of tables with these names and of these figures, relative to the folder of a report. Pictures that
+// gnuplot may fail to draw are among them.
 std::vector<std::string> report_files(const std::vector<std::string>& tables,
                                       const std::vector<figures::Figure>& figures);
-// Before these files are written: refuses those that results.json does not list, and lists them there, so that after a
-// kill they are known. Returns what it listed before.
+// Reserves files for a report, before the files are written: adds the files to the list in results.json, so that the
+// next report knows them even if the program is killed. Returns the files that were listed before. Throws
+// std::invalid_argument if a file exists and was not listed, or if a folder of the report is a symbolic link.
 std::vector<std::string> reserve_files(const std::filesystem::path& folder, std::vector<std::string> files);
-// Writes report.html, report.md, results.json, tables/ and figures/ beside the study's solves.csv, which whoever reads
-// its solves has written (results/export.hpp); removes what an earlier report wrote, and this one does not. `program`
-// made it, with its version. Throws as base::refuse_place if the folder cannot be written.
+// Writes report.html, report.md, results.json, tables/, figures/ and article/. The study's solves.csv must have been
+// written before (results/export.hpp). Removes the files of an earlier report that this report does not have. `program`
+// is the name and version that the files mention. Throws as base::refuse_place if the folder cannot be written.
 WrittenReport write_report(const Report& report, const std::filesystem::path& folder,
                            const figures::RenderOptions& options, const std::string& program = {});
 

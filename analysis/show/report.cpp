@@ -20,7 +20,8 @@ using namespace judge;
 
 namespace {
 
-// Times of single calls up to rare ones, and how many failed, whatever an observation is made of.
+// Returns the table of single solves: how many failed, and quantiles of their times up to rare ones. The table has the
+// solves themselves, even if the samples are means of runs or targets.
 Table solves_table(const Report& report) {
   const StudyResults& study = report.study;
   const std::string calls = judge::timed_calls_text(study);
@@ -52,7 +53,7 @@ Table solves_table(const Report& report) {
   return table;
 }
 
-// Medians of the solvers' own numbers.
+// Returns the medians of the numbers that solvers report under names of their own.
 Table extras_table(const Report& report) {
   const StudyResults& study = report.study;
   Table table{
@@ -145,7 +146,7 @@ std::vector<Table> setup_tables(const Report& report) {
 
 std::vector<Blocks> report_sections(const Report& report) {
   std::vector<Blocks> sections{report.lead};
-  const bool is_of_study = !report.study.series.empty();  // else of a user's file
+  const bool is_of_study = !report.study.series.empty();  // otherwise of a user's file
   std::vector<std::string> warnings;
   for (const Warning& warning : report.model.all_warnings()) warnings.push_back(warning_sentence(warning));
   if (report.lead.empty()) {

@@ -54,8 +54,8 @@ struct LoopCounts {
   double solves = 0, failed = 0, late = 0;
   double steps = 0, too_fast = 0;  // between two targets of a run
   double largest_step_deg = 0;
-  std::int64_t late_in_a_row = 0;  // most
-  bool is_timed = true;            // each solve alone, in a release build
+  std::int64_t late_in_a_row = 0;  // the longest row
+  bool is_timed = true;            // no solves at once, and a release build
 };
 
 LoopCounts count_loop(const StudyResults& study, const Solves& solves) {

@@ -26,8 +26,8 @@ using namespace judge;
 
 namespace {
 
-constexpr std::size_t max_shown_pairs = 15;       // of a metric; of more only those with the reference are shown
-constexpr std::size_t max_listed_pairs = 10'000;  // that are not shown: 400 solvers have 300 000
+constexpr std::size_t max_shown_pairs = 15;       // of a metric; otherwise only pairs with the reference
+constexpr std::size_t max_listed_pairs = 10'000;  // not shown, but in files; 400 solvers have 300 000 pairs
 
 const std::string star = "*", plus = "+", exclamation = "!";
 
@@ -49,7 +49,7 @@ Cell value_cell(const Group& group, double value) {
                                                          : Cell(value);
 }
 
-// Returns Wilson's interval [%] of a share of observations that are solved or not; nullopt for other metrics.
+// Returns Wilson's interval [%] of a share of successes, if each value is a single trial; nullopt for other metrics.
 std::optional<Interval> share_interval(const JudgedMetric& judged, const Descriptives& descriptives) {
   if (!is_success_rate(judged) || trials_per_value(judged.samples) > 1 || descriptives.n == 0) return {};
   const Interval share = wilson_interval(descriptives.mean / 100, descriptives.n, judged.plan.significance);
@@ -133,8 +133,8 @@ class ResultColumn {
   std::string mark(const std::string& solver, const Comparison* pair, bool is_untested) const {
     const Verdict verdict = pair ? verdict_of(*pair) : Verdict::inconclusive;
     const auto* const tested = pair ? std::get_if<TestResult>(&pair->result) : nullptr;
-    // A difference below the margin has a mark only where the headline tells it. Other metrics have none, and nor has a
-    // regression check, in which it is no loss.
+    // A difference below the margin has a mark only if the headline reports the difference. Other metrics have no such
+    // mark, and neither has a regression check, where a difference below the margin is no regression.
     const bool matters = !tested || !tested->is_below_margin || (model_.verdict.empty() && is_deciding());
     const bool is_worse = is_about_all() ? marked_.losers.contains(solver) : matters && verdict == Verdict::worse;
     if (is_worse) return star;
@@ -422,7 +422,7 @@ Table results_table(const ReportModel& model, bool is_brief) {
 
 Table studies_table(const std::vector<ReportModel>& studies, const std::vector<std::string>& names) {
   Table table{.name = "studies", .caption = "What decides each study", .columns = {{"solver"}}, .is_of_study = false};
-  NamesByPhrase quantities, references;  // studies by them
+  NamesByPhrase quantities, references;  // studies by quantity, and by reference
   std::set<std::string> all_marks;
   for (std::size_t s = 0; s < studies.size(); ++s) {
     Table of_study = results_table(studies[s]);
@@ -508,7 +508,7 @@ Table tested_pairs_table(const ReportModel& model) {
     }
   }
   if (model.direction.empty() || sizes.size() < 2) return table;
-  // Pairs of a file that have different blocks in common tell how many.
+  // Readers see n if the pairs of a file have different numbers of blocks in common.
   std::ranges::find(table.columns, "n", &Column::name)->role = ColumnRole::value;
   return table;
 }

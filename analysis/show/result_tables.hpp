@@ -1,5 +1,6 @@
-// The tables of an answer, of several studies' answers, and an answer as JSON. Their numbers are those of the
-// sentences.
+// The tables of a report model, the table of several studies, and a report model as JSON. The tables have the numbers
+// of the headline's sentences. Pages, screens and files are made of these tables. The columns are documented in
+// docs/reference/report.md.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,14 +12,23 @@
 
 namespace ikbench::show {
 
-// A row a solver; brief: with what its marks and numbers are alone.
+// Returns the table of results: a row per solver, best first, and a column per metric. A brief table has only the notes
+// that explain its marks and numbers.
 Table results_table(const ReportModel& model, bool is_brief = false);
-// Solvers by studies: of each study its deciding column, in the order of the first. Each study is judged alone.
+// Returns a row per solver and a column per study, which is the first metric's column in that study's table of results.
+// The rows are in the order of the first study. Each study was judged by itself.
 Table studies_table(const std::vector<ReportModel>& studies, const std::vector<std::string>& names);
-Table transposed(const Table& studies);              // of one unit: of so many that they do not stand across
-Table pairs_table(const ReportModel& model);         // a row a pair; first those that the headline names
-Table tested_pairs_table(const ReportModel& model);  // of the deciding metric; of two groups of all
+// Returns a studies_table with a row per study, for studies that are too many for columns. All studies must have the
+// same unit.
+Table transposed(const Table& studies);
+// Returns a row per pair and metric. The visible rows are the pairs in the metrics of the headline; of more than 15
+// pairs only those with the reference.
+Table pairs_table(const ReportModel& model);
+// Returns the tested pairs of the first metric, or of all metrics if there are only two groups.
+Table tested_pairs_table(const ReportModel& model);
+// Returns the descriptives: a row per metric and solver.
 Table descriptives_table(const ReportModel& model);
+// Returns the omnibus tests of all metrics. Without rows if no metric has such a test.
 Table omnibus_table(const ReportModel& model);
 
 // Returns the report as data: headline, groups, tests, comparisons and warnings.

@@ -21,7 +21,7 @@ namespace {
 using Rows = std::vector<std::vector<std::string>>;
 using Escape = std::string (*)(std::string_view);
 
-// How a format has texts, and what stands around a number: forms of fmt.
+// The rules of an output format: how texts are escaped, and what stands around a number, as formats of fmt.
 struct Format {
   Escape escape;
   const char *at_most = "≤ {}", *dash = "-", *plus_minus = "± ", *spread = " {}", *mark = " {}";
@@ -30,7 +30,7 @@ constexpr Format of_screen{one_line}, of_markdown{markdown_text},
     of_html{.escape = html_text, .mark = "<i>{}</i>"},  // digits align without the mark
     of_latex{latex_text, "$\\le$ {}", "--", "$\\pm$ ", " & {{\\scriptsize {}}}", "\\rlap{{\\,\\scriptsize {}}}"};
 
-// A cell for readers, without what stands around its number.
+// Writes a cell for readers as a text, without the mark and the spread around a number.
 struct Plain {
   const Column& column;
   std::string unit = column.cell_unit.empty() ? "" : ' ' + column.cell_unit;
@@ -58,7 +58,7 @@ struct Plain {
   }
 };
 
-// "(98-100)" or "± 0.2".
+// Returns the interval or the standard deviation of a cell: "(98-100)" or "± 0.2".
 std::string spread_of(const ValueCell& marked, const Format& format) {
   if (marked.sd) return format.plus_minus + number_text(*marked.sd, 2);
   if (!marked.interval) return "";
@@ -78,7 +78,7 @@ std::string written(const Cell& cell, const Column& column, const Format& format
   return text;
 }
 
-// Whether a cell of a column is so.
+// Returns whether `is_so` holds for a cell of a column.
 bool has(const Table& table, std::size_t column, auto is_so) {
   return std::ranges::any_of(table.rows, [&](const auto& row) { return is_so(row[column]); });
 }
@@ -88,14 +88,15 @@ const std::string* shown_text(const Cell& cell) {
 }
 bool is_text(const Cell& cell) { return shown_text(cell) != nullptr; }
 bool is_printed(const Cell& cell) { return std::holds_alternative<PublishedNumber>(cell); }
-// Returns the value cell; of another cell one without mark, interval and scale.
+// Returns the value cell, or for any other cell a value cell without mark, interval and scale.
 const ValueCell& value_cell_of(const Cell& cell) {
   static const ValueCell none{};
   const auto* const value = std::get_if<ValueCell>(&cell);
   return value ? *value : none;
 }
 bool is_ratio(const Cell& cell) { return value_cell_of(cell).relative_to_reference == judge::EffectScale::ratio; }
-// As readers see it: with the decimals of the printed where three digits would round it onto an end.
+// Returns our number for readers. If three digits would round the number onto an end, the number has as many decimals
+// as the printed one.
 ValueCell ours_of(const PublishedNumber& cell, const Boundaries& ends) {
   if (number_within(cell.ours, ends) == number_text(cell.ours)) return {.value = cell.ours};
   const std::size_t point = std::min(cell.printed.find('.') + 1, cell.printed.size());
@@ -108,8 +109,8 @@ std::string head(const Column& column) {
   return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
 }
 
-// Readers see printed numbers in a column of their own, no column that is empty in every row, and where some cells are
-// ratios, the unit at the other numbers.
+// Returns the table for readers. Printed numbers have a column of their own, and columns that are empty in every row or
+// only for files of numbers are removed. If some cells are ratios, the unit stands at the other numbers.
 Table for_readers(Table table) {
   for (std::size_t c = table.columns.size(); c-- > 0;) {
     if (has(table, c, is_ratio)) table.columns[c].cell_unit = std::exchange(table.columns[c].unit, "");
@@ -137,7 +138,7 @@ Table for_readers(Table table) {
   return table;
 }
 
-// The table as texts; the first row is the head.
+// Returns the cells as texts. The first row is the head.
 Rows readable(const Table& table, const Format& format) {
   Rows rows(1);
   for (const Column& column : table.columns) rows[0].push_back(format.escape(head(column)));
@@ -315,7 +316,7 @@ std::string to_latex(const Table& whole) {
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const bool are_long = has(table, c, is_long), have_spreads = has(table, c, has_spread);
     letters += column_letters(are_long, has(table, c, is_text), have_spreads);
-    const std::string room = has(table, c, has_mark) ? "@{\\hspace{14pt}}" : "";  // for them
+    const std::string room = has(table, c, has_mark) ? "@{\\hspace{14pt}}" : "";  // for the marks
     letters += room;
     for (std::size_t r = 1; r < rows.size(); ++r) {
       if (are_long) rows[r][c].insert(0, "\\raggedright\\let\\\\\\tabularnewline ");
@@ -326,8 +327,9 @@ std::string to_latex(const Table& whole) {
   for (const auto& row : rows)
     lines += fmt::format("{} \\\\\n{}", fmt::join(row, " & "), &row == &rows.front() ? "\\midrule\n" : "");
   const std::string notes = latex_text(fmt::format("{}", fmt::join(table.notes, " ")));
-  // No journal's capitals change names in a caption. A table shrinks to fit a page, and a column to four fifths at the
-  // most; else it takes both, and shrinks down to the size of \\scriptsize.
+  // \\textnormal keeps journals that set captions in capitals from changing names. A table shrinks to the height of a
+  // page, and to the width of a column if four fifths of the table's size suffice. Otherwise the table takes both
+  // columns, and shrinks down to the size of \\scriptsize.
   return fmt::format(
       "% Needs \\usepackage{{booktabs,graphicx}}\n\\begingroup\\tabcolsep5pt\n"
       "\\sbox0{{\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\bottomrule\n\\end{{tabular}}}}%\n"

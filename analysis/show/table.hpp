@@ -1,4 +1,6 @@
-// Tables: cells and columns that know what they are, and the writers of tables.
+// Tables as data, and the writers that turn a table into CSV, Markdown, LaTeX, HTML, JSON and the text of a screen.
+// Cells and columns say what they hold, and each writer decides how a cell looks. Whoever makes a table fills `Table`
+// and does not format or escape anything. The files are documented in docs/reference/report.md.
 #pragma once
 
 #include <cstdint>
@@ -15,82 +17,92 @@
 
 namespace ikbench::show {
 
-// Our number beside a printed one; a column of such cells is two for readers.
+// A number of ours with the number that a paper prints. Readers see a column with these cells as two columns.
 struct PublishedNumber {
   double ours;
   std::string printed;
-  std::string sign = {};  // "~", "x" or "?": whether ours can be it
+  std::string sign = {};  // "~" agrees, "x" does not, "?" not decided; empty: not compared
 };
-// A number with a mark, "*", or its interval or standard deviation, or that is an upper bound; or what stands in its
-// place: a ratio to the reference of the column, or a difference from it, which files of numbers have in a column of
-// their own.
+// A number with what stands around the number.
 struct ValueCell {
   double value;
-  std::string mark = {};
-  bool is_bound = false;
-  std::optional<judge::Interval> interval = {};
-  std::optional<double> sd = {};
-  std::optional<judge::EffectScale> relative_to_reference = {};
-  int digits = 3;
+  std::string mark = {};                                         // such as "*"; empty: none
+  bool is_bound = false;                                         // an upper bound of the true value
+  std::optional<judge::Interval> interval = {};                  // of the value
+  std::optional<double> sd = {};                                 // standard deviation
+  std::optional<judge::EffectScale> relative_to_reference = {};  // a ratio or difference, a column of its own in files
+  int digits = 3;                                                // significant ones
 };
-// Why a number is not known: "too few to compare".
+// The reason why a number is not known, such as "too few to compare".
 struct MissingCell {
   std::string reason;
 };
-// How a page colours a verdict.
+// The colour of a verdict on a page.
 enum class Tone { neutral, good, bad };
 struct VerdictCell {
   std::string text;
   Tone tone = Tone::neutral;
-  std::string key = {};  // in place of the words, in files of numbers
+  std::string key = {};  // in place of `text` in files of numbers
 };
-// Readers see three digits, and "-" for an empty cell (std::monostate), an absent number and one that is not finite.
+// The content of a cell. Readers see numbers with three digits, and "-" for an empty cell (std::monostate), a missing
+// number and NaN.
 using Cell = std::variant<std::monostate, std::string, std::int64_t, double, judge::Interval, PublishedNumber,
                           ValueCell, MissingCell, VerdictCell>;
 
+// Returns the cell of a text, which is an empty cell for an empty text.
 inline Cell text_cell(std::string text) { return text.empty() ? Cell() : Cell(std::move(text)); }
 
 // The role of a column, by which writers format its cells.
 enum class ColumnRole {
-  value,
+  value,        // texts and numbers
   p,            // p-values: "0.0005", "< 0.0001"
-  interval,     // of the number before it: files of numbers have "low", "high" and "excluded"
-  machine_only  // which only files of numbers have
+  interval,     // intervals of the numbers before; in files of numbers the columns "low", "high" and "excluded"
+  machine_only  // a column that only files of numbers have
 };
 
+// The head of a column, and the rules for writing the column's cells.
 struct Column {
   std::string name;
   std::string unit = {};
   ColumnRole role = ColumnRole::value;
-  std::string cell_unit = {};           // beside each number that is no ratio, in place of the head
-  std::vector<double> boundaries = {};  // onto which no number is rounded (number_within of text.hpp)
+  std::string cell_unit = {};           // beside each number that is no ratio, in place of `unit` in the head
+  std::vector<double> boundaries = {};  // no number is rounded onto these (number_within of text.hpp)
 };
 
-// Columns with nothing but names.
+// Returns columns of values with these names, without units.
 std::vector<Column> named_columns(const std::vector<std::string>& names);
 
+// A table for all writers.
 struct Table {
-  std::string name;  // of its files and anchor, with a number perhaps; empty: it has none
+  std::string name;  // of the files and the anchor; empty: the table has no files
   std::string caption;
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows = {};
   std::vector<std::string> notes = {};
-  bool is_of_study = true;  // and of no other, so that an article's caption names it
-  std::size_t visible_rows =
-      std::numeric_limits<std::size_t>::max();  // rows; a page folds the others, articles lack them
+  bool is_of_study = true;  // about one study, which the caption in an article names
+  // The number of rows that a page shows. The page folds the other rows, and an article leaves the other rows out
+  // unless this is 0.
+  std::size_t visible_rows = std::numeric_limits<std::size_t>::max();
 };
 
-// "0.1 to 0.8", "above 0 to 0.8"
+// Returns "0.1 to 0.8", or "above 0 to 0.8" if the interval excludes the low end. No end is rounded onto a number of
+// `ends`.
 std::string interval_text(const judge::Interval& interval, const std::vector<double>& ends);
 
-// All escape what they are given. An interval and a printed number take two columns of CSV, and two members of JSON;
-// intervals of which one excludes an end take a third, which says "low" or "high".
+// The writers escape all texts of a table for their format.
+
+// Returns the table as CSV. An interval and a printed number take two columns. Intervals take a third column, which
+// says whether the end "low" or "high" is excluded.
 std::string to_csv(const Table& table);
+// Returns the table for readers in Markdown.
 std::string to_markdown(const Table& table);
-std::string to_latex(const Table& table);  // booktabs
+// Returns the table for readers in LaTeX, for the packages booktabs and graphicx.
+std::string to_latex(const Table& table);
+// Returns the table for readers as an HTML element.
 std::string to_html(const Table& table);
-std::string to_text(const Table& table);  // of a screen: units stand at the numbers
-// An object for each row; names of columns in lower case with _ for blanks.
+// Returns the table for readers as lines of a screen, with the unit at each number instead of in the head.
+std::string to_text(const Table& table);
+// Returns an array with an object per row. The members are the columns of the CSV, in lower case with _ for blanks.
 nlohmann::ordered_json to_json(const Table& table);
 
 }  // namespace ikbench::show

@@ -1,4 +1,4 @@
-// What a command prints of an answer.
+// The text that a command prints about a report model.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace ikbench::show {
 
-// The last screen of `run`, `report`, `compare` and `stats`: the headline, the table of results with what its marks
-// are, a warning of each kind, and where `page` is. Without a page also pairs: of the metric of the headline, up to
-// max_pairs (phrases.hpp); where there are only two groups, of every metric.
+// Returns the last screen of `run`, `report`, `compare` and `stats`: the headline, the table of results with notes, the
+// further tables, and the warnings. With a `page` there is one warning of each kind, and the place of the page. Without
+// a page there are all warnings, and the tested pairs if the first metric has at most max_pairs pairs (phrases.hpp).
 std::string terminal_report(const ReportModel& model, const std::string& page = {});
 
 }  // namespace ikbench::show

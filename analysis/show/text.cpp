@@ -29,7 +29,7 @@ std::string replaced(std::string_view text, std::span<const Substitute> substitu
   return result;
 }
 
-// Whether the words beside a blank stay on one line: a number and what follows, "* worse", "p < 0.05".
+// Returns whether the words beside a blank stay on one line: a number and the next word, "* worse", "p < 0.05".
 bool is_inseparable(std::string_view text, std::size_t blank) {
   if (blank == 0 || blank >= text.size() - 1) return false;
   const char before = text[blank - 1], after = text[blank + 1];

@@ -1,4 +1,5 @@
-// Any text (labels and titles come from files of users) made harmless for each writer, and numbers as text.
+// Texts and numbers for the writers of tables and pages: escapes, digits, and lines that break between words. Labels
+// and titles come from files of users. Writers therefore pass every text through one of the escapes.
 #pragma once
 
 #include <string>
@@ -11,30 +12,44 @@ namespace ikbench::show {
 
 using base::character_count, base::listed, base::max_named, base::names_of, base::one_line, base::shortened;
 
+// Returns the text on one line with the characters escaped that mean something in HTML.
 std::string html_text(std::string_view text);
+// Returns the text on one line with the characters escaped that mean something in Markdown, also within a table.
 std::string markdown_text(std::string_view text);
+// Returns the text on one line with the characters escaped that mean something in LaTeX. Opening quotes, minus signs
+// and powers of ten ("1e-05") are set as such.
 std::string latex_text(std::string_view text);
-std::string with_spaces(std::string_view name);  // for _
-std::string as_sentence(std::string text);       // begun by a capital letter
-std::string anchor_id(std::string_view name);    // letters, digits and "-": an anchor, a link, a label of LaTeX
+// Returns the name with a blank for each "_".
+std::string with_spaces(std::string_view name);
+// Returns the text with a capital first letter.
+std::string as_sentence(std::string text);
+// Returns the letters and digits of a name, with "-" for what stands between: an anchor, a link or a label of LaTeX.
+std::string anchor_id(std::string_view name);
 
-// 2430, not 2.4e+03: all digits before the point. "-" for a number that is not finite.
+// Returns a number with so many significant digits. Below 1e7 all digits before the point are written: 2430, not
+// 2.43e+03. NaN is "-", and infinity "inf".
 std::string number_text(double value, int digits = 3);
-std::string ratio_text(double ratio);  // "8.1 times", "1.04 times"
-// Numbers that decide: one that three digits would round onto an end is "< 100".
+// Returns "8.1 times", or "1.04 times" for a ratio near 1, which has three digits.
+std::string ratio_text(double ratio);
+// Numbers that decide something, such as a significance or the ends of a margin: no other number may look like one.
 using Boundaries = std::vector<double>;
+// Returns the number as number_text does, but "< 100" or "> 100" for another number that would be rounded onto 100, if
+// 100 is one of `ends`.
 std::string number_within(double value, const Boundaries& ends, int digits = 3);
-std::string p_text(double p, const Boundaries& ends);  // "0.0005", "< 0.0001", "< 0.05"
+// Returns a p: "0.0005", "< 0.0001", or "< 0.05" for a p that would be rounded onto 0.05, if that is one of `ends`.
+std::string p_text(double p, const Boundaries& ends);
 
-// The words of a text in lines of at most that width; longer words stay whole.
+// Returns the words of a text in lines: the first of at most `first` characters, the rest of at most `others`. Longer
+// words stay whole, and so do a number and the word behind the number.
 std::vector<std::string> wrap_words(std::string_view text, std::size_t first, std::size_t others);
 
-// Rows with their columns padded. If they are wider than `width`, the words of the widest columns are wrapped.
+// Returns the rows as lines with padded columns, `gap` blanks apart. If the lines are wider than `width`, the gaps
+// become two blanks, and then the words of the widest columns are wrapped.
 std::string align_columns(const std::vector<std::vector<std::string>>& rows, std::size_t gap = 3,
                           std::size_t width = 100);
 
-// Lines of a screen, at most 100 columns, which break between words; the first begins with `first`, others with
-// `indent`.
+// Returns a text as lines of a screen, of at most 100 columns, which break between words. The first line begins with
+// `first`, and every other line with `indent`.
 std::string wrapped_paragraph(const std::string& text, const std::string& indent, const std::string& first = {});
 
 }  // namespace ikbench::show
