@@ -1,4 +1,6 @@
-// A paper is data, and so are its claims: the file of its name here.
+// A paper as data: the claims, the printed numbers and the studies that repeat the paper. Each paper is a TOML file
+// with the paper's name in this folder. `reproduce` and the reports of published studies look papers up with
+// paper_named.
 #pragma once
 
 #include <map>
@@ -12,18 +14,20 @@ namespace ikbench::papers {
 
 // The statistic of a metric that a claim compares: the means, or the standard deviations of the runs.
 enum class Of { means, spread };
-// Whose numbers come from the companion that a claim names; those of the rest come from the study.
+// The groups of a claim whose numbers come from the companion study that the claim names: both groups, the claim's
+// solvers, or the solvers against which the claim is. All other numbers come from the paper's own study.
 enum class From { both, solvers, others };
 
 struct Rule;  // rules.hpp
 
+// A claim of a paper, or a question of ours.
 struct Claim {
-  std::string id, sentence, decides;  // decides: what would decide it
+  std::string id, sentence, decides;  // decides: what would decide the claim
   std::string section = {};           // of the paper
-  const Rule* rule = nullptr;         // null: nothing here can decide it
+  const Rule* rule = nullptr;         // null: no rule can decide the claim
   bool is_ours = false;               // our question, no claim of the paper
-  std::vector<std::string> solvers;   // it says something of; by default the paper's own
-  std::vector<std::string> against;   // these; empty: all others
+  std::vector<std::string> solvers;   // subjects of the claim; by default the paper's own solver
+  std::vector<std::string> against;   // the solvers compared with; empty: all others
   std::vector<const judge::Metric*> metrics = {};
   Of of = Of::means;
   std::string study = {};  // "limits": of the companion NAME-limits
@@ -31,43 +35,48 @@ struct Claim {
   std::string note = {};  // added to the evidence
 };
 
-// A printed column of means, a row a solver; of "solved" the number of targets that are not.
+// A printed column of means, with a row per solver. If the metric is the share solved, the column has the number of
+// targets that were not solved.
 struct PrintedColumn {
   std::string name, table, column;
   const judge::Metric* metric = nullptr;
   std::string study = {};  // "searches": of the companion NAME-searches
 };
 
-// Printed tables of shares solved [%], where a row is an arm, with a column for each solver; or columns of means.
+// The printed tables of shares solved [%], with a row per arm and a column per solver; or printed columns of means.
 struct Rates {
-  std::map<std::string, std::string> tables = {};  // with words, the paper's own first: "README 1.4.6"
+  std::map<std::string, std::string> tables = {};  // words for each table, the paper's own first: "README 1.4.6"
   std::vector<PrintedColumn> numbers = {};
   std::string note = {};
   double level = 0;                                 // of intervals
   std::vector<std::string> picked = {};             // arms whose file or side was chosen by their shares
-  std::map<std::string, std::string> rows = {};     // name of our arm to that in its first column
+  std::map<std::string, std::string> rows = {};     // our arm to the arm in a table's first column
   std::map<std::string, std::string> columns = {};  // solver to column
-  std::string programs = {};                        // table of what programs did by the clock, an arm a row
+  std::string programs = {};                        // table of the programs' results by the clock, with a row per arm
 
+  // Returns whether the tables are shares by arm, and not columns of means.
   bool is_of_arms() const { return !rows.empty(); }
 };
 
+// A paper that is repeated.
 struct Paper {
   std::string name;  // in a study's `published` and in results/published
   std::string in_short = {}, citation = {}, not_repeated = {};
-  std::vector<std::string> studies = {};             // the first is its own, "first-part" its companion
-  std::vector<std::string> runs = {};                // those that take --runs
-  std::string solver = {};                           // that it proposes
-  std::string means = {};                            // its table of means; empty: none is printed
-  std::map<std::string, std::string> readings = {};  // studies of which that table may be, with words: "20 agents"
+  std::vector<std::string> studies = {};             // first the paper's own; "first-part" is a companion
+  std::vector<std::string> runs = {};                // studies that take --runs
+  std::string solver = {};                           // the solver that the paper proposes
+  std::string means = {};                            // the printed table of means; empty: none
+  std::map<std::string, std::string> readings = {};  // interpretations: studies of `means`, with words: "20 agents"
   Rates rates = {};
   std::vector<Claim> claims = {};
 };
 
-const std::vector<Paper>& papers();  // by name; those with a table of means first
-// Throws std::invalid_argument, which lists all, if there is none.
+// Returns all papers, ordered by name, those with a table of means first.
+const std::vector<Paper>& papers();
+// Returns the paper of this name. Throws std::invalid_argument with a list of all papers if there is none.
 const Paper& paper_named(std::string_view name);
-// Throws std::invalid_argument with `source` and line for what is missing or unknown.
+// Returns the paper of a file's text. Throws std::invalid_argument with `source` and the line if a key is missing or
+// unknown.
 Paper read_paper(std::string_view name, std::string_view toml, std::string_view source);
 
 }  // namespace ikbench::papers

@@ -1,4 +1,5 @@
-// The printed numbers of a paper (results/published), and the ranges that such numbers of new studies have.
+// The printed numbers of a paper (results/published), and the ranges that the same numbers of new studies would have.
+// repeated.cpp compares our numbers with both.
 #pragma once
 
 #include <array>
@@ -12,10 +13,12 @@
 
 namespace ikbench::papers {
 
-bool agrees(double ours, std::string_view printed);                      // our number rounds to the printed digits
-bool can_be(const judge::Interval& interval, std::string_view printed);  // a number in it does
+// Returns whether our number rounds to the printed digits.
+bool agrees(double ours, std::string_view printed);
+// Returns whether a number in the interval rounds to the printed digits.
+bool can_be(const judge::Interval& interval, std::string_view printed);
 
-// A statistic that a table of means may have, by its column.
+// A statistic that a table of means may have, with the name of the column.
 struct Statistic {
   std::string_view column;
   double judge::Descriptives::*of;
@@ -34,19 +37,22 @@ struct PrintedRow {
 };
 using PrintedRows = std::vector<PrintedRow>;
 
-const PrintedRow* row_of(const PrintedRows& rows, std::string_view solver);  // null if there is none
+// Returns the row of a solver; null if there is none.
+const PrintedRow* row_of(const PrintedRows& rows, std::string_view solver);
 
 // Returns the rows of one metric from a table with the columns algorithm, metric, n and the statistics.
 PrintedRows printed_means(std::string_view paper, std::string_view table, std::string_view metric);
 
-// The range of each statistic in most studies of so many runs, by Hill's A(n) (JASA 63 (1968) 677) on the logarithms of
-// the values: the next one is equally likely in each gap of the known ones, and then is known itself; beyond the last
-// there is an exponential tail of Hill's slope (Annals of Statistics 3 (1975) 1163). It is made for 95 % of studies,
-// and holds 92 % (tests/papers/published.test.cpp). None for fewer than five values, or one that is not above 0.
+// The range of each statistic, in the order of `statistics`.
 using Ranges = std::array<judge::Interval, statistics.size()>;
+// Returns the range of each statistic in most new studies of so many runs, by Hill's A(n) (JASA 63 (1968) 677) on the
+// logarithms of the values. The next value is equally likely in each gap of the known values, and then is a known
+// value, too. Beyond the last value there is an exponential tail of Hill's slope (Annals of Statistics 3 (1975) 1163).
+// The ranges are made for 95 % of studies, and hold 92 % (tests/papers/published.test.cpp). Returns nullopt for fewer
+// than five values, or if a value is not above 0.
 std::optional<Ranges> predicted_ranges(const std::vector<double>& values, int runs);
 
-// Whether a statistic of ours rounds to the printed digits, or a new study's may.
+// Returns whether our statistic rounds to the printed digits, or whether a new study's statistic in `range` may.
 bool repeats(double ours, const judge::Interval& range, std::string_view printed);
 
 }  // namespace ikbench::papers

@@ -1,4 +1,5 @@
-// A paper's study, repeated: our means and rates beside the printed ones.
+// A paper's study, repeated: tables and figures with our means and rates beside the printed ones. The reports of
+// published studies and `reproduce` are made of these.
 #pragma once
 
 #include <limits>
@@ -18,18 +19,19 @@
 
 namespace ikbench::papers {
 
-// A paper's study with its companions.
+// The results of a paper's study and of the study's companions.
 struct Repeated {
   const Paper& paper;
   std::span<const judge::JudgedStudy> studies;  // the first is the paper's own
   const base::CsvTable* programs = nullptr;     // robot, solver, n, solved, mean_ms; null: none
 
   const judge::JudgedStudy& study() const { return studies.front(); }
-  // The companion NAME-part; null if there is none.
+  // Returns the companion NAME-part; null if there is none.
   const judge::JudgedStudy* part(std::string_view part) const;
-  // Each study of which the paper's table of means may be, by itself, the paper's own first.
+  // Returns the interpretations: each study from which the paper's table of means may be, by itself, the paper's own
+  // study first.
   std::vector<Repeated> readings() const;
-  // "20 agents (Sec. 5.3.2)"; empty if the paper's table is of one study.
+  // Returns the words for this interpretation: "20 agents (Sec. 5.3.2)". Empty if the paper has only one.
   std::string reading() const;
   // Returns the part of the study's name behind the paper's, for names of tables and figures: "-50".
   std::string suffix() const { return study().study.name.substr(paper.name.size()); }
@@ -37,48 +39,52 @@ struct Repeated {
 
 // Returns the rows of the paper's table of means for this metric.
 PrintedRows printed_rows(const Paper& paper, const judge::JudgedMetric& judged);
-// Ours beside the printed digits, if there are any.
+// Returns our number beside the printed digits. Without printed digits the cell has only our number.
 show::Cell beside(double ours, std::string_view printed);
-// A solver's statistics beside a printed row, with signs; unknown where values are lost. Times have no sign, for
-// machines differ.
+// Returns a solver's statistics beside a printed row, with signs. A statistic is unknown if values are missing. Times
+// have no sign, because machines differ.
 std::vector<show::Cell> beside(const judge::JudgedMetric& judged, const std::string& solver, const PrintedRow* row);
 constexpr std::string_view meaning_of_signs =
     "~ in the range that holds 92 % of such numbers of new studies by our program; x outside";
 
-// Means beside the printed ones, a row a solver, and how many of its numbers repeat by seed.
+// Returns our means beside the printed ones, with a row per solver, and how many numbers of each solver repeat by seed.
 show::Table means_table(const Repeated& repeated, const SeedCounts& counts = {});
 
-// A number of ours beside a printed one, in its unit. The interval is ours, as wide as that of the difference of the
-// two: it has the printed one where they do not differ.
+// A number of ours beside a printed one, in the printed unit. The interval is around our number and as wide as the
+// interval of the difference: the printed number lies within if the two numbers do not differ.
 struct Rate {
   std::string row;  // the arm as printed, or the solver
   std::string digits;
   double printed, ours;
   judge::Interval interval;
-  double margin;                                              // what matters
-  double n, n_printed = 0;                                    // printed: of shares
+  double margin;                                              // the smallest difference that matters
+  double n, n_printed = 0;                                    // values of ours, and of the paper (only for shares)
   double mean_ms = std::numeric_limits<double>::quiet_NaN();  // of a program's solves
   std::string printed_ms = {};
 
-  // "~": as printed; "x": not; "?": not decided, the interval is wider than twice the margin.
+  // Returns "~" if the number is as printed, "x" if not, and "?" if the interval is too wide to decide: wider than
+  // twice the margin.
   std::string_view sign() const {
     if (printed < interval.low || interval.high < printed) return "x";
     return interval.high - interval.low <= 2 * margin ? "~" : "?";
   }
 };
+// A column of rates.
 struct RateColumn {
   std::string name;  // a solver, or what is counted
   std::vector<Rate> rates = {};
 };
 
-// By solver, of the arms of all studies that a printed table has (empty: the paper's own), in its order; or the columns
-// of means.
+// Returns the shares solved by solver, for the arms of a printed table that our studies have, in the table's order. An
+// empty `table` is the paper's own. For a paper with columns of means those columns are returned.
 std::vector<RateColumn> rates_of(const Repeated& repeated, std::string table = "");
-// "KDL's printed rates repeat on 11 of 13 arms, KDL-RR's on 12.", then who fails where; none if none is printed.
+// Returns "KDL's printed rates repeat on 11 of 13 arms, KDL-RR's on 12.", then the arms on which a solver's rate does
+// not repeat. Empty if the paper prints no rates.
 std::vector<std::string> rates_sentences(const Repeated& repeated);
-// Without rows if none is printed.
+// Returns our rates beside the printed ones. Without rows if the paper prints no rates.
 show::Table rates_table(const Repeated& repeated, const std::string& table = "");
-// Ours minus the printed ones, with their intervals.
+// Returns the figure of our rates minus the printed ones, with intervals. Of columns of means only the first is shown.
+// Nullopt if the figure would have no rate.
 std::optional<figures::Figure> rates_figure(const Repeated& repeated);
 
 }  // namespace ikbench::papers
