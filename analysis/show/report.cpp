@@ -29,7 +29,6 @@ Table solves_table(const Report& report) {
               .caption = calls.empty() ? "Single solves" : fmt::format("Single solves: {}", calls),
               .columns = named_columns({"solver", "solves", "failed"})};
   for (const char* of_times : {"median", "95 %", "99 %", "largest"}) table.columns.push_back({of_times, "ms"});
-  const bool are_single = std::ranges::all_of(study.sessions, judge::uses_current_clock);
   for (const std::string& solver : report.model.solvers()) {
     const Solves all = study.of(solver);
     if (all.size() < 2 || study.imported.has(solver)) continue;
@@ -40,16 +39,14 @@ Table solves_table(const Report& report) {
     auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(all), std::int64_t{failed}});
     row.push_back(times.empty() ? Cell() : Cell(quantile(times, 0.5)));
     for (const double share : {0.95, 0.99}) {
-      const auto interval = are_single ? judge::quantile_interval(times, share) : std::nullopt;
+      const auto interval = judge::quantile_interval(times, share);
       row.push_back(interval ? Cell(ValueCell{.value = quantile(times, share), .interval = interval}) : Cell());
     }
     row.push_back(times.empty() ? Cell() : Cell(times.back()));
   }
-  table.notes = {are_single
-                     ? "Time of each solve that gave an answer, solved or not. Brackets: 95 % intervals; the rarer "
-                       "of two quantiles needs 368 solves, the other 72."
-                     : "Time of each solve that gave an answer, solved or not. The clock of a former version "
-                       "took medians of repeats, which have no tails."};
+  table.notes = {
+      "Time of each solve that gave an answer, solved or not. Brackets: 95 % intervals; the rarer of two quantiles needs "
+      "368 solves, the other 72."};
   return table;
 }
 

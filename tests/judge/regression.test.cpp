@@ -192,10 +192,6 @@ TEST_CASE("times of two that solved in turn decide; too few turns and other sess
   StudyResults whole = in_turns(6, 0, 1e-5);  // a study's own turns are those of no other
   for (results::Session& session : whole.sessions) session.environment.erase("shard");
   CHECK_THROWS_AS(check_regression(whole, in_turns(6, 1, 1e-5), {.time_margin = 0.1}), std::invalid_argument);
-  StudyResults former = in_turns(6, 0, 1e-5);
-  for (results::Session& session : former.sessions) session.environment.erase("state");
-  CHECK_THROWS_WITH(check_regression(former, in_turns(6, 1, 1e-5), {.time_margin = 0.1}),
-                    ContainsSubstring("the clock of a former version"));
   StudyResults hot = in_turns(6, 0, 1e-5);
   for (results::Session& session : hot.sessions) session.environment["state"] = "hot";
   CHECK_THROWS_WITH(check_regression(hot, in_turns(6, 1, 1e-5), {.time_margin = 0.1}),

@@ -221,11 +221,6 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
     REQUIRE(all.warnings.size() == 1);
     CHECK(all.warnings.front().solvers.empty());
   }
-  std::vector<Session> former = sample_sessions(5);
-  for (Session& session : former) session.environment.erase("state");
-  CHECK(apart(times(study(chained, as_made, {"A", "B"}, former))) == "AB");
-  former[4] = sample_sessions(5)[4];  // a store of the former clock that was continued: one session
-  CHECK(apart(times(study(chained, as_made, {"A", "B"}, former))) == "AB");
   CHECK(apart(times(study({.runs = 3}, as_made))) == "AB");
   const auto slowed = [](int runs, int slow, double factor) {
     return study({.runs = runs}, [=](SolveRecord& solve) {

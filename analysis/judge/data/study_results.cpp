@@ -198,8 +198,6 @@ std::set<std::string> environment_values(const StudyResults& study, const std::s
   return values;
 }
 
-bool uses_current_clock(const Session& session) { return session.environment.contains("state"); }
-
 std::string timed_calls_text(const StudyResults& study) {
   const std::set<std::string> states = environment_values(study, "state");
   if (states.empty()) return "";
@@ -225,8 +223,7 @@ SessionSets session_sets(const StudyResults& study) {
   for (const auto& [session, solvers] : sessions) {
     int most = 0;
     for (const auto& [solver, counts] : solvers) most = std::max(most, counts.solves);
-    const auto stored = std::ranges::find(study.sessions, session, &Session::id);
-    const bool is_comparable = stored != study.sessions.end() && uses_current_clock(*stored);
+    const bool is_comparable = std::ranges::count(study.sessions, session, &Session::id) > 0;
     if (is_comparable) sets.comparable.insert(session);
     for (const auto& [solver, counts] : solvers) {
       const bool is_busy = counts.preempted > 1 && 10 * counts.preempted > counts.solves;

@@ -94,14 +94,11 @@ std::set<std::string> environment_values(const StudyResults& study, const std::s
 
 constexpr int min_sessions = 4;  // fewer sessions compare no times
 
-// Returns whether a session was timed by the current scheme, which records the fact `state`. Stores of former versions
-// have sessions without.
-bool uses_current_clock(const results::Session& session);
-// Returns which calls were timed, such as "first calls on a target"; empty if the current scheme timed none.
+// Returns which calls were timed, such as "first calls on a target"; empty if no session says it.
 std::string timed_calls_text(const StudyResults& study);
 // The sessions by which times are compared. Lists have one set per solver.
 struct SessionSets {
-  std::set<int> comparable = {};             // timed by the current scheme
+  std::set<int> comparable = {};             // recorded in the store
   std::vector<std::set<int>> all = {};       // sessions with solves of the solver
   std::vector<std::set<int>> complete = {};  // comparable ones in which no solver has more solves
   std::vector<std::set<int>> quiet = {};     // complete ones in which at most a tenth of the solves were preempted

@@ -147,7 +147,6 @@ std::string reason_against_times(const StudyResults& study, const SessionSets& s
       study.batch_timings.empty() || environment_values(study, "jobs") == std::set<std::string>{"1"};
   if (!is_sequential) return "solved in parallel";
   if (std::string reason = unusable_timing(study); !reason.empty()) return reason;
-  if (std::ranges::none_of(study.sessions, uses_current_clock)) return "of the clock of a former version";
   const auto compared = std::ssize(sessions.comparable);
   if (compared >= min_sessions) return "";
   return fmt::format("{}, and {} are the fewest", base::counted(compared, "sessions"), min_sessions);
