@@ -133,7 +133,7 @@ std::string ratios_text(const SolverRatios& ratios, const TieBreakerWords& words
 }
 
 // Writes the sentence of one question from its statements. Only the first number of a sentence has quantity and unit,
-// so each teller writes one sentence.
+// so each QuestionTeller writes one sentence.
 class QuestionTeller {
  public:
   QuestionTeller(const ReportModel& model, const HeadlineQuestion& question)

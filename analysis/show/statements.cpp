@@ -179,12 +179,14 @@ Names unseparated_solvers(const Statement& statement) {
 
 }  // namespace
 
-PairIndex::PairIndex(const JudgedMetric& judged, const Names& solvers) {
+PairIndex::PairIndex(const JudgedMetric& judged, const Names& solvers)
+    : table_(judged), groups_(judged.samples.groups.size()) {
   const std::set<std::string_view> names(solvers.begin(), solvers.end());
+  for (std::size_t i = 0; i < groups_; ++i)
+    if (names.contains(judged.samples.groups[i].name)) indices_[judged.samples.groups[i].name] = i;
   for (const Comparison& comparison : judged.comparisons) {
     if (!names.contains(comparison.first) || !names.contains(comparison.second)) continue;
-    comparisons_[{comparison.first, comparison.second}] = &comparison;
-    comparisons_[{comparison.second, comparison.first}] = &comparison;
+    is_empty_ = false;
     const Verdict verdict = verdict_of(comparison);
     if (verdict == Verdict::not_tested) continue;
     ++tested_pairs_[comparison.first];
@@ -198,15 +200,17 @@ int PairIndex::tested_pairs(const std::string& name) const {
   return found == tested_pairs_.end() ? 0 : found->second;
 }
 
+std::size_t PairIndex::index(std::string_view name) const {
+  const auto found = indices_.find(name);
+  return found == indices_.end() ? groups_ : found->second;
+}
+
 const Comparison* PairIndex::find(std::string_view first, std::string_view second) const {
-  const auto found = comparisons_.find({first, second});
-  return found == comparisons_.end() ? nullptr : found->second;
+  return table_.find(index(first), index(second));
 }
 
 Verdict PairIndex::verdict(std::string_view first, std::string_view second) const {
-  const Comparison* const comparison = find(first, second);
-  if (comparison == nullptr) return Verdict::not_tested;
-  return comparison->first == first ? verdict_of(*comparison) : reversed(verdict_of(*comparison));
+  return table_.verdict(index(first), index(second));
 }
 
 bool is_below_margin(const Comparison* comparison) {

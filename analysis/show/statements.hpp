@@ -1,6 +1,6 @@
 // What the headline says, as data: statements about the solvers of a metric, and the one or two questions that a report
 // answers. `make_report_model` makes the questions once. headline.hpp puts them into words, and tables take their marks
-// and their order from them. Costs one map of all pairs of a metric per question.
+// and their order from them. Costs one table of all pairs of a metric per question.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ class PairIndex {
  public:
   PairIndex(const judge::JudgedMetric& judged, const std::vector<std::string>& solvers);
 
-  bool is_empty() const { return comparisons_.empty(); }
+  bool is_empty() const { return is_empty_; }
   bool is_beaten(const std::string& name) const { return beaten_.contains(name); }
   int tested_pairs(const std::string& name) const;
   // Finds the comparison of two solvers in either order; null if they are no pair.
@@ -32,7 +32,13 @@ class PairIndex {
   }
 
  private:
-  std::map<std::pair<std::string_view, std::string_view>, const judge::Comparison*> comparisons_ = {};  // both orders
+  // Returns the index of a solver's group; the number of groups, which no pair has, for a name that is not indexed.
+  std::size_t index(std::string_view name) const;
+
+  judge::ComparisonTable table_;
+  std::size_t groups_;
+  std::map<std::string_view, std::size_t> indices_ = {};
+  bool is_empty_ = true;
   std::map<std::string_view, int> tested_pairs_ = {};
   std::set<std::string> beaten_ = {};
 };

@@ -117,7 +117,6 @@ void add(const SolveRecord& record, SecondDifference& second_difference, StudyRe
   if (!record.trace_cm.empty() || (is_of_first_run && std::ssize(earlier) < max_plotted))
     study.plotted.push_back(record);
   add_extras(record, study);
-  const double seconds = record.seconds;
   const bool is_single = record.timing != Timing::batch;
   if (!is_single) add_batch(record, study);
   const bool is_timed = record.timing == Timing::clean || record.timing == Timing::process;
@@ -135,16 +134,16 @@ void add(const SolveRecord& record, SecondDifference& second_difference, StudyRe
        .timing = record.timing,
        .counted_by = record.counted_by,
        .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
-       .was_preempted = is_time_of_solver && record.cpu_seconds > 0 && seconds > 1.1 * record.cpu_seconds,
+       .was_preempted = is_time_of_solver && record.cpu_seconds > 0 && record.seconds > 1.1 * record.cpu_seconds,
        .is_self_timed = is_self_timed(record),
-       .missed_deadline = is_timed && period > 0 && (seconds > period || has_no_answer(record.status)),
+       .missed_deadline = is_timed && period > 0 && (record.seconds > period || has_no_answer(record.status)),
        .exceeds_velocity = exceeds_velocity(study.definition, record),
        .position_error_cm = record.position_error_cm,
        .orientation_error_deg = angle_deg(record.orientation_error),
        .variation_deg = record.variation_deg,
        .variation_m = record.variation_m,
        .largest_move_deg = record.largest_move_deg,
-       .seconds = is_single ? seconds : unknown,
+       .seconds = is_single ? record.seconds : unknown,
        .second_difference_deg = second_difference.with(record.answer_rad),
        .evaluations = record.evaluations,
        .iterations = record.iterations,
