@@ -30,13 +30,13 @@ bool is_path(const StudyResults& study) { return !study.definition.draws_targets
 std::string observation_of(const StudyResults& study, const Metric& metric) {
   const results::StudyDefinition& definition = study.definition;
   const std::string_view average = uses_medians(metric) ? "median" : "mean";
-  if (definition.compares_runs()) return definition.points == 1 ? "a run" : fmt::format("the {} of a run", average);
+  if (definition.compares_runs()) return definition.points == 1 ? "one run" : fmt::format("the {} of one run", average);
   const bool is_solved_again = definition.runs > 1 && !definition.draws_targets;
-  return is_solved_again ? fmt::format("a target, the {} of its runs", average) : "a target";
+  return is_solved_again ? fmt::format("one target, as the {} of its runs", average) : "one target";
 }
 
 std::string caption_of_boxes(std::string_view quantity, std::string_view observation) {
-  return fmt::format("Distribution of {}: a dot is {}; box: quartiles and median; whiskers: smallest and largest.",
+  return fmt::format("Distribution of {}. Each dot is {}; boxes show quartiles and median, whiskers the smallest and largest value.",
                      quantity, observation);
 }
 
@@ -89,7 +89,7 @@ std::optional<Figure> shares_of(const StudyResults& study, ShareFigure figure, c
   if (!left_out.empty() && solvers.size() < 2) return std::nullopt;  // nothing to see it against
   if (!left_out.empty())
     figure.about.caption +=
-        fmt::format(" Without {}, whose {} cannot be compared.", names_of(left_out), figure.about.quantity);
+        fmt::format(" Left out: {}, whose {} cannot be compared.", names_of(left_out), figure.about.quantity);
   std::vector<Successes> rows;
   for (const std::string& solver : solvers) {
     Successes& row = rows.emplace_back(Successes{.label = look.names.at(solver), .style = look.lines.at(solver)});
@@ -112,7 +112,7 @@ std::optional<Figure> solved_by(const JudgedStudy& judged, std::string_view colu
   };
   return shares_of(study,
                    {.about = about_of(study, metric, fmt::format("Share of targets solved within {}.", cost)),
-                    .y_axis = "solved",
+                    .y_axis = "targets solved",
                     .not_compared = not_compared(judged, column)},
                    look, cost_of);
 }
@@ -126,7 +126,7 @@ std::optional<Figure> by_point_of(const JudgedStudy& judged, std::string_view co
   if (!is_path(judged.study)) return std::nullopt;
   const auto [average, name] = average_that_decides(judged.study);
   const Metric& metric = metric_named(column);
-  const std::string caption = fmt::format("By point: {}, {}s.", metric.name, name);
+  const std::string caption = fmt::format("{} {} at each point of the path.", name == "mean" ? "Mean" : "Median", metric.name);
   return curves(about_of(judged.study, metric, caption), "point", by_point(judged.study, column, look, average));
 }
 
@@ -136,7 +136,7 @@ std::optional<Figure> if_timed(decltype(boxes_of)* of, const JudgedStudy& judged
 }
 
 std::string first_points(const StudyResults& study) {
-  return study.definition.points > max_plotted ? fmt::format(" The first {} points.", max_plotted) : "";
+  return study.definition.points > max_plotted ? fmt::format(" Only the first {} points are drawn.", max_plotted) : "";
 }
 
 std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) {
@@ -165,7 +165,7 @@ std::optional<Figure> metric_boxes(const JudgedStudy& judged, const Look& look) 
 
 std::optional<Figure> error_by_iteration(const JudgedStudy& judged, const Look& look) {
   const auto [average, name] = average_that_decides(judged.study);
-  return curves(about_of(judged.study, metric_named(error), fmt::format("Error by iteration: {}s.", name)), "iteration",
+  return curves(about_of(judged.study, metric_named(error), fmt::format("{} position error after each iteration.", name == "mean" ? "Mean" : "Median")), "iteration",
                 by_iteration(judged.study, look, average));
 }
 
@@ -191,28 +191,28 @@ std::optional<Figure> joints(const JudgedStudy& judged, const Look& look) {
 
 // The figures of a study, in the order of the report.
 constexpr KindOfFigure all_kinds[]{
-    {"overview", "error against joint motion",
+    {"overview", "position error against joint motion",
      [](auto& judged, auto& look) { return overview_of(judged, look, [](Dot&) {}); }},
-    {"error-boxes", "the error of each solver", [](auto& judged, auto& look) { return boxes_of(judged, error, look); }},
-    {"error-shares", "with a tolerance: share of targets within an error", error_shares},
-    {"time-boxes", "the same as motion-boxes, of comparable times",
+    {"error-boxes", "position error of each solver", [](auto& judged, auto& look) { return boxes_of(judged, error, look); }},
+    {"error-shares", "with a tolerance: share of targets reached within an error", error_shares},
+    {"time-boxes", "time of each solver, where motion-boxes are drawn and all times are compared",
      [](auto& judged, auto& look) { return if_timed(boxes_of, judged, look); }},
     {"motion-boxes", "without a tolerance, or with start = \"previous\": the joint motion of each solver",
      [](auto& judged, auto& look) { return boxes_of(judged, motion, look); }},
-    {"metric-boxes", "the plan's metric, if it is another", metric_boxes},
-    {"error-by-iteration", "where solves have a trace: medians, or means where they decide", error_by_iteration},
-    {"error-by-point", "along a path: medians, or means where they decide",
+    {"metric-boxes", "the plan's metric, if no other figure shows it", metric_boxes},
+    {"error-by-iteration", "if solves have a trace: median error, or mean error if the plan compares means", error_by_iteration},
+    {"error-by-point", "along a path: median error, or mean error if the plan compares means",
      [](auto& judged, auto& look) { return by_point_of(judged, error, look); }},
-    {"motion-by-point", "the same of joint motion",
+    {"motion-by-point", "along a path: joint motion",
      [](auto& judged, auto& look) { return by_point_of(judged, motion, look); }},
-    {"time-by-point", "the same of time", [](auto& judged, auto& look) { return if_timed(by_point_of, judged, look); }},
+    {"time-by-point", "along a path: time", [](auto& judged, auto& look) { return if_timed(by_point_of, judged, look); }},
     {"solved-by-evaluations", "with a tolerance: share of targets solved within a number of evaluations",
      [](auto& judged, auto& look) { return solved_by(judged, "evaluations", "a number of evaluations", look); }},
-    {"solved-by-time", "with a tolerance, where times compare: share of targets solved within a time",
+    {"solved-by-time", "with a tolerance, if times are compared: share of targets solved within a time",
      [](auto& judged, auto& look) { return solved_by(judged, time, "a time", look); }},
-    {"ranks", "by ranks, of 3 solvers or more, no control: mean ranks; bars join pairs that are not told apart",
+    {"ranks", "3 solvers or more, compared by ranks, without a control: mean ranks; bars join pairs without a difference",
      [](auto& judged, auto& look) { return ranks_of(deciding(judged), drawn_solvers(judged.study, look), look); }},
-    {"differences", "where pairs are tested, and not all equal: their intervals and verdicts",
+    {"differences", "if pairs are tested and not all are equal: their intervals and verdicts",
      [](auto& judged, auto& look) {
        return differences_of(deciding(judged), drawn_unit(judged.study, deciding(judged).samples.unit),
                              drawn_solvers(judged.study, look), look);
@@ -242,7 +242,8 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
     dot.label = look.names.at(solver);
   }
   About about = about_of(judged.study, metric_named(error),
-                         fmt::format("Error against joint motion, {}s: best is the lower left.", average));
+                         fmt::format("{} position error against joint motion; the lower left is best.",
+                                     average == "mean" ? "Mean" : "Median"));
   about.quantity = fmt::format("{} {}", average, about.quantity);
   return overview(about, average + " joint motion [deg]", dots);
 }
@@ -347,12 +348,11 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
   if (const std::optional<IntervalRow> head = labels.head(pairs)) rows.push_back(*head);
   for (const Comparison& pair : pairs) rows.push_back(interval_row(pair, unit, labels));
   const bool are_ratios = pairs.back().scale == EffectScale::ratio;
-  const std::string quantity = samples.quantity_kind == QuantityKind::solved ? "share solved" : samples.quantity;
-  const std::string effect = fmt::format("{} of {}", are_ratios ? "ratio" : "difference", quantity);
+  const std::string effect = fmt::format("{} of {}", are_ratios ? "ratio" : "difference", samples.quantity);
   return differences({.name = "differences",
                       .caption = fmt::format(
-                          "Pairs: {}, with intervals for all pairs at once; at the right the verdict on the first.{}",
-                          effect, is_only_first ? fmt::format(" Only the pairs of {}.", shown.front()) : ""),
+                          "Pairwise {}, with intervals that hold for all pairs at once. Right: the verdict on the first solver.{}",
+                          effect, is_only_first ? fmt::format(" Only pairs with {} are drawn.", shown.front()) : ""),
                       .quantity = effect,
                       .unit = drawn_name(is_proportion(samples), unit, are_ratios)},
                      rows, are_ratios);
@@ -472,15 +472,15 @@ std::optional<Figure> ranks_of(const JudgedMetric& judged, const std::vector<std
   const auto [rows, have_all_blocks, n] = rank_rows(samples, pairs, solvers, look);
   About about{.name = "ranks", .quantity = "mean rank of " + samples.quantity};
   about.caption = fmt::format(
-      "Mean ranks of {} {}, 1 is best; bars join pairs that no adjusted p < {} tells apart.", samples.quantity,
-      have_all_blocks ? fmt::format("in {} blocks", n) : "expected of one value of each (1 plus the others' A12)",
+      "Mean ranks of {} {}; 1 is best. Bars join pairs without a significant difference (adjusted p < {}).", samples.quantity,
+      have_all_blocks ? fmt::format("in {} blocks", n) : "expected from one value of each solver (1 plus the others' A12)",
       metric.plan.significance);
   // Shares are nearly all tied, which the critical difference does not allow for.
   const bool has_ruler = have_all_blocks && !are_shares && metric.plan.significance == 0.05;
   const double ruler = has_ruler ? critical_difference(solvers.size(), n) : nowhere;
   if (ruler > 0)
-    about.caption += fmt::format(" CD: Nemenyi's critical difference, {:.3g} (p < 0.05); no bar goes by it.", ruler);
-  if (!without.empty()) about.caption += fmt::format(" Without {}: not compared with all.", names_of(without));
+    about.caption += fmt::format(" CD: Nemenyi's critical difference, {:.3g} (p < 0.05), only for orientation: bars do not depend on it.", ruler);
+  if (!without.empty()) about.caption += fmt::format(" Left out, because not compared with all: {}.", names_of(without));
   return ranks(about, rows, ruler);
 }
 
@@ -508,7 +508,7 @@ Figure path_of(const StudyResults& study, const Look& look, std::size_t arms, co
     rows.targets.push_back(rows.targets.front());
     rows.reached.push_back(rows.reached.front());
   }
-  return path({"", fmt::format("Targets, and what {} reached in its first run{}", solver, more)}, rows);
+  return path({"", fmt::format("Targets, and the positions that {} reached in its first run{}", solver, more)}, rows);
 }
 
 std::vector<Figure> of_file(const std::vector<JudgedMetric>& metrics, const Look& look) {
@@ -522,7 +522,7 @@ std::vector<Figure> of_file(const std::vector<JudgedMetric>& metrics, const Look
     if (is_proportion(samples) && trials_per_value(samples) == 1) continue;
     const std::string number = all.empty() ? "" : fmt::format("-{}", all.size() + 1);
     const About about{.name = "boxes" + number,
-                      .caption = caption_of_boxes(samples.quantity, "a value"),
+                      .caption = caption_of_boxes(samples.quantity, "one value"),
                       .quantity = samples.quantity,
                       .unit = samples.unit,
                       .is_share = is_proportion(samples)};

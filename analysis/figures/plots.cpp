@@ -32,7 +32,7 @@ std::span<const Row> drawn_of(const std::vector<Row>& all, std::size_t most, Fig
   std::vector<std::string> others;
   for (std::size_t i = most; i < all.size(); ++i) others.push_back(all[i].label);
   if (!others.empty()) {
-    figure.caption += fmt::format(" Without {}: only {} are drawn.", names_of(others), most);
+    figure.caption += fmt::format(" Left out: {}; only {} are drawn.", names_of(others), most);
     figure.settings += fmt::format("set label '{} of {}' at screen margin(0.15), screen 1 - up(0.15) left tc rgb ink\n",
                                    most, all.size());
   }
@@ -200,15 +200,15 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
   add_remarks(figure, remarks);
   const auto has_no_answer = [](const BoxRow& row) { return std::isinf(row.box.back()); };
   if (std::ranges::any_of(rows, has_no_answer)) figure.caption += " At the right edge: no answer.";
-  if (is_thinned) figure.caption += fmt::format(" Of more than {0} values, {0} are drawn at even ranks.", most_values);
+  if (is_thinned) figure.caption += fmt::format(" Only {0} values per solver, at even ranks, are drawn.", most_values);
   clauses.emplace_back("data index 0 using (place_x($4)):($1-0.33):(0):(0.26) with vectors nohead lw 1.6 lc rgb ink");
   if (has_printed) {
     clauses.push_back(fmt::format(
         "data index 0 using (place_x($7)):($1+0.34):(place_x($9)-place_x($7)):(0) with vectors nohead lw 1 {}", grey));
     clauses.push_back(
         fmt::format("data index 0 using (place_x($8)):($1+0.27):(0):(0.14) with vectors nohead lw 1.6 {}", grey));
-    clauses.emplace_back("keyentry with points pt 6 ps 0.3 lw 0.7 lc rgb ink title 'here'");
-    clauses.push_back(fmt::format("keyentry with lines lw 1 {} title 'printed: smallest, median, largest'", grey));
+    clauses.emplace_back("keyentry with points pt 6 ps 0.3 lw 0.7 lc rgb ink title 'ours'");
+    clauses.push_back(fmt::format("keyentry with lines lw 1 {} title 'paper: smallest, median, largest'", grey));
     add_legend(figure, 2);
   }
   figure.plot = plotted(clauses);
@@ -474,7 +474,7 @@ std::optional<Figure> joints(const About& about, const JointRows& all_rows) {
                                    gnuplot_text(rows.size() == 1 ? "" : label), row.style);
   }
   if (all.empty()) return std::nullopt;
-  if (is_outside) figure.caption += " Rings: outside the limits.";
+  if (is_outside) figure.caption += " Rings mark angles outside the limits.";
   const double panel_cm = drawn <= 2 ? 2.6 : 1.2, gap_cm = drawn == 1 ? 0 : 0.5;
   figure.height_cm = 1.6 + static_cast<double>(drawn) * (panel_cm + gap_cm);
   const double span = std::ranges::max(all) - std::ranges::min(all);
@@ -494,7 +494,7 @@ std::optional<Figure> overview(const About& about, const std::string& x_axis, co
   std::vector<double> xs, ys;
   std::vector<std::string> clauses, left_out;
   std::vector<Named> names;
-  figure.data = fmt::format("# a line a solver: {}; {}; both as printed\n", x_axis, about.axis());
+  figure.data = fmt::format("# one line per solver: {}; {}; both as in the paper\n", x_axis, about.axis());
   for (const Dot& dot : dots) {
     if (!std::isfinite(dot.x + dot.y)) {
       left_out.push_back(dot.label);

@@ -124,7 +124,7 @@ void refuse_what_the_plan_lacks(const RegressionOptions& options, const StudyDef
   if (options.time_margin && !has_time && options.metrics.empty())
     throw std::invalid_argument("--time-margin: the study's plan does not name time; add it to `then` of [analysis]");
   if (options.time_margin && !has_time)
-    throw std::invalid_argument("--time-margin lets times decide, and --metric leaves them out; add time to --metric");
+    throw std::invalid_argument("--time-margin lets times decide, but --metric leaves them out; add time to --metric");
   if (!options.time_margin && !options.metrics.empty() && has_time)
     throw std::invalid_argument("--metric time: times decide by a margin of their own; add --time-margin 10%");
 }
@@ -284,7 +284,7 @@ RegressionCheck check_regression(StudyResults study, const std::string& candidat
   const auto place = [](const SolveSummary& solve) { return std::pair(solve.run, solve.point); };
   if (theirs.empty() || !std::ranges::equal(ours, theirs, {}, place, place))
     throw LacksSolves(fmt::format(
-        "not compared: {} has {} solves, {} {}; complete both with ikbench run, with as many runs",
+        "not compared: {} has {} solves, {} {}; complete both with ikbench run and the same number of runs",
         label.empty() ? candidate : label, ours.size(), label.empty() ? baseline : "before", theirs.size()));
   RegressionCheck gate{.label = label, .candidate = candidate, .baseline = baseline, .options = std::move(options)};
   gate.is_identical = are_identical(ours, theirs) && std::ranges::any_of(ours, has_answer);
@@ -320,13 +320,13 @@ RegressionCheck check_regression(StudyResults baseline, StudyResults candidate, 
   const auto turns = matching_sessions(candidate.sessions, baseline.sessions);
   const std::string now = timed_calls_text(candidate), before = timed_calls_text(baseline);
   // Why no time can be compared; empty: nothing is in the way.
-  const std::string obstacle = now == before ? "" : fmt::format("{}, before {}", now, before);
+  const std::string obstacle = now == before ? "" : fmt::format("{} now, {} before", now, before);
   if (options.time_margin && !(turns && obstacle.empty()))
     throw std::invalid_argument(fmt::format(
         "not compared: times of {} are {}", label,
         !obstacle.empty() ? obstacle
-                          : "of other sessions than before; expected two stores that were solved in turn (cli/gate.sh "
-                            "with OLD), or leave out --time-margin"));
+                          : "of other sessions than before; expected two stores that were solved in alternating rounds "
+                            "(cli/gate.sh with OLD), or leave out --time-margin"));
   StudyResults study =
       study_of_both(baseline, std::move(candidate), options.time_margin ? *turns : std::map<int, int>());
   RegressionCheck both = check_regression(std::move(study), now_label, before_label, std::move(options), label);
@@ -345,7 +345,7 @@ RegressionCheck check_regression(StudyResults baseline, StudyResults candidate, 
                 [](const Warning& warning) { return warning.kind == WarningKind::budgets_differ; });
   both.judged.warnings.push_back({.kind = WarningKind::budgets_differ,
                                   .solvers = both.judged.study.labels,
-                                  .detail = fmt::format("budgets of a solve differ: {}; before {}", ours, theirs)});
+                                  .detail = fmt::format("budgets per solve differ: {} now, {} before", ours, theirs)});
   return both;
 }
 

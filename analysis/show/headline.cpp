@@ -30,8 +30,8 @@ struct TieBreakerWords {
   std::string_view as;           // follows a ratio
 };
 constexpr std::array words_of_tie_breakers{TieBreakerWords{.tie_breaker = "time",
-                                                           .is_best = "is the fastest",
-                                                           .are_best = "are the fastest",
+                                                           .is_best = "is fastest",
+                                                           .are_best = "are fastest",
                                                            .be_better = "be faster",
                                                            .takes = "takes",
                                                            .take = "take",
@@ -40,8 +40,8 @@ constexpr std::array words_of_tie_breakers{TieBreakerWords{.tie_breaker = "time"
                                                            .is_best = "needs the fewest evaluations",
                                                            .are_best = "need the fewest evaluations",
                                                            .be_better = "need fewer evaluations",
-                                                           .takes = "takes",
-                                                           .take = "take",
+                                                           .takes = "needs",
+                                                           .take = "need",
                                                            .as = "as many"},
                                            TieBreakerWords{.tie_breaker = "motion",
                                                            .is_best = "moves the joints least",
@@ -59,14 +59,14 @@ std::string is_or_are(const Names& solvers) { return solvers.size() == 1 ? "is" 
 std::string not_comparable_text(const JudgedMetric& judged, std::string reason) {
   for (const Warning& warning : judged.samples.warnings) {
     if (warning.kind == WarningKind::times_not_comparable) reason = warning.detail;
-    if (warning.kind == WarningKind::time_limit_decides) reason = "stopped by the time limit";
+    if (warning.kind == WarningKind::time_limit_decides) reason = "stopped by the time limit: " + warning.detail;
   }
   return reason;
 }
 
-// Returns why pairs of these solvers are not tested: " (8 runs are too few, 10 are needed)", " (the machine was busy)".
-// Empty if they have several reasons.
-std::string not_tested_text(const ReportModel& model, const JudgedMetric& judged, const Names& solvers) {
+// Returns why pairs of these solvers are not tested: "8 runs; at least 10 needed", "the machine was busy". Empty if they
+// have several reasons.
+std::string reason_not_tested(const ReportModel& model, const JudgedMetric& judged, const Names& solvers) {
   std::set<std::string> reasons;
   const std::set<std::string_view> names(solvers.begin(), solvers.end());
   for (const Comparison& comparison : judged.comparisons) {
@@ -76,8 +76,10 @@ std::string not_tested_text(const ReportModel& model, const JudgedMetric& judged
     if (not_tested->reason == NotTestedReason::not_comparable) reason = not_comparable_text(judged, std::move(reason));
     reasons.insert(std::move(reason));
   }
-  return reasons.size() == 1 ? fmt::format(" ({})", *reasons.begin()) : "";
+  return reasons.size() == 1 ? *reasons.begin() : "";
 }
+
+std::string in_brackets(const std::string& text) { return text.empty() ? "" : fmt::format(" ({})", text); }
 
 // The solvers of a second question: those that no other is shown to beat or that are not separated, the worse ones, and
 // those that are not tested.
@@ -115,21 +117,23 @@ Ranking ranking_of(const std::vector<Statement>& statements) {
 
 using SolverRatios = std::vector<std::pair<std::string, double>>;  // by solver
 
-// Returns "; B takes 3 times as long, C 4 times"; of many solvers "; 6 others take 2 to 10 times as long".
+// Returns "; B takes 3x as long as A, C 4x"; for many solvers "; 6 others take 2x to 10x as long as A". `reference` is
+// " as A"; empty if the sentence names A just before.
 std::string ratios_text(const SolverRatios& ratios, const TieBreakerWords& words, const std::string& reference) {
   if (ratios.empty()) return "";
   if (ratios.size() < max_named) {
     Names texts;
-    for (const auto& [name, ratio] : ratios)
-      texts.push_back(
-          fmt::format("{} {}{}", name, texts.empty() ? fmt::format("{} ", words.takes) : "", ratio_text(ratio)));
-    return fmt::format("; {} {}{}", fmt::join(texts, ", "), words.as, reference);
+    for (const auto& [name, ratio] : ratios) {
+      const std::string text = ratio_text(ratio);
+      texts.push_back(texts.empty() ? fmt::format("{} {} {} {}{}", name, words.takes, text, words.as, reference)
+                                    : fmt::format("{} {}", name, text));
+    }
+    return fmt::format("; {}", fmt::join(texts, ", "));
   }
   const auto [smallest, largest] = std::ranges::minmax(ratios, {}, &SolverRatios::value_type::second);
-  const bool are_equal = ratio_text(smallest.second) == ratio_text(largest.second);
-  const std::string from = are_equal ? "" : number_text(smallest.second, 2) + " to ";
-  return fmt::format("; {} others {} {}{} {}{}", ratios.size(), words.take, from, ratio_text(largest.second), words.as,
-                     reference);
+  const std::string low = ratio_text(smallest.second), high = ratio_text(largest.second);
+  return fmt::format("; {} others {} {}{} {}{}", ratios.size(), words.take, low == high ? "" : low + " to ", high,
+                     words.as, reference);
 }
 
 // Writes the sentence of one question from its statements. Only the first number of a sentence has quantity and unit,
@@ -144,14 +148,12 @@ class QuestionTeller {
 
   // Returns the sentence of a first question, with the solvers' numbers.
   std::string primary_sentence() {
-    std::string text = is_nothing_solved() ? "No target was solved. " : "";
     const std::vector<Statement>& statements = question_.statements;
-    const Names& control = statements.front().against;
-    const bool is_against_control = control == Names{judged_.plan.control} && model_.order.size() > 2;
-    if (is_against_control) text += fmt::format("Against {}: ", with_numbers(control));
+    std::string text = opening();
     for (const Statement& statement : statements) {
-      if (&statement != &statements.front()) text += "; ";
-      text += is_against_control ? control_clause(statement) : clause(statement);
+      const bool is_own_sentence = statement.kind == Kind::not_tested && !is_against_control();
+      if (&statement != &statements.front()) text += is_own_sentence ? ". " : "; ";
+      text += is_against_control() ? control_clause(statement) : clause(statement);
     }
     return text + '.';
   }
@@ -160,11 +162,11 @@ class QuestionTeller {
   std::string tie_breaker_sentence() const {
     const Ranking ranking = ranking_of(question_.statements);
     std::string text;
-    for (const std::size_t metric : question_.untested) text += not_judged_sentence(model_.metrics[metric]);
+    for (const std::size_t metric : question_.untested) text += not_compared_sentence(model_.metrics[metric]);
     text += ranking.losers.empty() ? no_difference_clause(ranking) : difference_clause(ranking);
     if (!ranking.untested.empty())
-      text += fmt::format("; {} {} not judged{}", names_of(ranking.untested), is_or_are(ranking.untested),
-                          not_tested_text(model_, judged_, ranking.untested));
+      text += fmt::format("; {} {} not tested{}", names_of(ranking.untested), is_or_are(ranking.untested),
+                          in_brackets(reason_not_tested(model_, judged_, ranking.untested)));
     return text + '.';
   }
 
@@ -178,7 +180,34 @@ class QuestionTeller {
   // Words of both sentences.
 
   std::string same_within_margin() const { return "the same within " + margin_text(judged_); }
-  std::string below_margin(bool is_so) const { return is_so ? ", by less than " + margin_text(judged_) : ""; }
+  std::string below_margin(bool is_so) const { return is_so ? " by less than " + margin_text(judged_) : ""; }
+
+  // The beginning of a first question's sentence.
+
+  bool is_against_control() const {
+    return question_.statements.front().against == Names{judged_.plan.control} && model_.order.size() > 2;
+  }
+  // True if shares of solved targets differ, but no pair of solvers does.
+  bool is_without_winner() const {
+    const Statement& only = question_.statements.front();
+    const bool is_open = only.kind == Kind::inconclusive || only.kind == Kind::none_better;
+    if (question_.statements.size() > 1 || !is_open || !is_solved(judged_) || is_against_control()) return false;
+    const double first = descriptives_of(only.solvers.front()).mean;
+    return std::ranges::any_of(only.solvers,
+                               [&](const std::string& name) { return descriptives_of(name).mean != first; });
+  }
+  // Returns what stands before the first clause: "No clear winner: ", "Within 1 ms, ", "Compared with old (40 of 100
+  // targets), ".
+  std::string opening() {
+    std::string text;
+    if (is_without_winner()) text = "no clear winner: ";
+    const Kind first = question_.statements.front().kind;
+    if (is_solved(judged_) && !model_.time_limit.empty() && first != Kind::not_tested && first != Kind::cyclic)
+      text += fmt::format("within {}, ", model_.time_limit);
+    if (is_against_control())
+      text += fmt::format("compared with {}, ", with_numbers(question_.statements.front().against));
+    return (is_nothing_solved() ? "No solver reached any target. " : "") + as_sentence(text);
+  }
 
   // The numbers of a first question.
 
@@ -191,68 +220,84 @@ class QuestionTeller {
              std::ranges::all_of(other.descriptives, [](const Descriptives& shares) { return shares.mean == 0; });
     });
   }
-  std::string within() const { return is_solved(judged_) ? model_.within : ""; }
+  // True if the errors decide only because no solver reached a target.
+  bool is_about_closest() const { return judged_.plan.metric.empty() && is_nothing_solved(); }
   bool are_counts() const { return is_success_rate(judged_) && trials_per_value(judged_.samples) == 1; }
 
   std::string quantity() const {
     const std::string& name = judged_.samples.quantity;
+    if (is_solved(judged_)) return "solved";
     if (is_success_rate(judged_) || is_log_scale(judged_.samples)) return name;
     return (judged_.plan.test == results::AnalysisPlan::Test::means ? "mean " : "median ") + name;
+  }
+  // Returns the quantity at the beginning of a sentence. The name of a user's metric keeps its first letter.
+  std::string quantity_as_title() const {
+    const std::string& name = judged_.samples.quantity;
+    if (!is_solved(judged_)) return model_.direction.empty() || quantity() != name ? as_sentence(quantity()) : name;
+    return as_sentence(name) + (model_.time_limit.empty() ? "" : " within " + model_.time_limit);
   }
 
   // Returns "88" or "0.42"; for the first solver also the quantity, and the whole or the unit: "solved 100 of 100
   // targets".
   std::string number(const std::string& name) {
-    if (first_named_.empty()) {
-      first_named_ = name;
-      return fmt::format("{} {}", quantity(), value_text(name, true));
-    }
-    return value_text(name, false);
+    if (!first_named_.empty()) return value_text(name, false);
+    first_named_ = name;
+    std::string value = value_text(name, true);
+    if (are_counts())
+      value = fmt::format("{} of {}", count_text(name), base::counted(descriptives_of(name).n, model_.noun));
+    return fmt::format("{} {}{}", quantity(), value, is_solved(judged_) && !are_counts() ? " of targets" : "");
   }
   std::string value_text(const std::string& name, bool is_first) const {
     const MetricSamples& samples = judged_.samples;
     const auto [value, is_bound] = displayed_average(judged_, index_of(samples, name));
     if (std::isnan(value)) return "not known";
-    if (are_counts()) return count_text(value, name, is_first);
+    if (are_counts()) {
+      const int n = descriptives_of(name).n;
+      const bool has_total = is_first || n != descriptives_of(first_named_).n;
+      return has_total ? fmt::format("{} of {}", count_text(name), n) : count_text(name);
+    }
     return with_unit((is_bound ? "at most " : "") + number_within(value, percent_boundaries(judged_)),
                      is_first ? samples.unit : "");
   }
-  std::string count_text(double percent, const std::string& name, bool is_first) const {
-    const int n = descriptives_of(name).n;
-    const std::string count = fmt::format("{:.0f}", percent * n / 100);
-    if (is_first) return fmt::format("{} of {}{}", count, base::counted(n, model_.noun), within());
-    return n == descriptives_of(first_named_).n ? count : fmt::format("{} of {}", count, n);
+  std::string count_text(const std::string& name) const {
+    const Descriptives& shares = descriptives_of(name);
+    return fmt::format("{:.0f}", shares.mean * shares.n / 100);
   }
-  // Returns "DLS (solved 100 of 100 targets)", and after it "PSO (88)".
+  // Returns "DLS (median error 1 mm)", and after it "PSO (2)".
   std::string with_numbers(Names names) {
     for (std::string& name : names) name += fmt::format(" ({})", number(name));
     return names_of(names);
   }
-
-  // Returns "LM and DLS solved all 100 targets, SLSQP 99 (not decided)".
-  std::string success_counts(const Statement& statement) {
-    const double highest = descriptives_of(statement.solvers.front()).mean;
-    const int n = descriptives_of(statement.solvers.front()).n;
-    const auto is_highest = [&](const std::string& name) { return descriptives_of(name).mean == highest; };
-    const Names firsts = names_that(statement.solvers, is_highest);
-    Names others = names_that(statement.solvers, [&](const std::string& name) { return !is_highest(name); });
-    const std::string first_number = number(firsts.front());
-    const bool are_all_solved = highest == 100 && n > 1 && trials_per_value(judged_.samples) == 1;
-    std::string text = names_of(firsts) + ' ';
-    text += are_all_solved ? fmt::format("solved all {}{}", base::counted(n, model_.noun), within()) : first_number;
-    if (others.empty()) return text;
-    return fmt::format("{}, {} ({})", text, lower_counts(std::move(others)), difference_text(statement.kind));
-  }
-  std::string lower_counts(Names names) {
+  // Returns "PSO 88 and mine 54"; for many solvers "7 others 12 to 88".
+  std::string lower_counts(Names names, std::string_view last) {
     if (names.size() <= max_named) {
       for (std::string& name : names) name += ' ' + number(name);
-      return fmt::format("{}", fmt::join(names, ", "));
+      return listed(names, last);
     }
     const std::string highest = number(names.front()), lowest = number(names.back());
     return fmt::format("{} others {}{}", names.size(), lowest, highest == lowest ? "" : " to " + highest);
   }
+
+  // Returns "solved all 100 targets", or "solved 97 of 100 targets".
+  std::string highest_count(const std::string& name) {
+    const Descriptives& shares = descriptives_of(name);
+    const std::string counted = number(name);
+    if (shares.mean != 100 || shares.n < 2 || !are_counts()) return counted;
+    return fmt::format("solved all {}", base::counted(shares.n, model_.noun));
+  }
+  // Returns "LM and DLS solved all 100 targets, SLSQP 99 (inconclusive)".
+  std::string success_counts(const Statement& statement) {
+    const double highest = descriptives_of(statement.solvers.front()).mean;
+    const auto is_highest = [&](const std::string& name) { return descriptives_of(name).mean == highest; };
+    const Names firsts = names_that(statement.solvers, is_highest);
+    Names others = names_that(statement.solvers, [&](const std::string& name) { return !is_highest(name); });
+    const std::string text = fmt::format("{} {}", names_of(firsts), highest_count(firsts.front()));
+    if (others.empty()) return text;
+    return fmt::format("{}, {}{}", text, lower_counts(std::move(others), ", "),
+                       is_without_winner() ? "" : in_brackets(difference_text(statement.kind)));
+  }
   std::string difference_text(Kind kind) const {
-    if (kind == Kind::inconclusive) return "not decided";
+    if (kind == Kind::inconclusive) return "inconclusive";
     if (kind == Kind::none_better) return "no difference is shown";
     return same_within_margin();
   }
@@ -260,8 +305,8 @@ class QuestionTeller {
   // The clauses of a first question.
 
   std::string control_clause(const Statement& statement) {
-    return fmt::format("{} {}{}", with_numbers(statement.solvers), verdict_against_control(statement),
-                       below_margin(statement.is_below_margin));
+    return fmt::format("{} {} {}{}", with_numbers(statement.solvers), is_or_are(statement.solvers),
+                       verdict_against_control(statement), below_margin(statement.is_below_margin));
   }
   std::string verdict_against_control(const Statement& statement) const {
     switch (statement.kind) {
@@ -272,15 +317,15 @@ class QuestionTeller {
       case Kind::equivalent:
         return same_within_margin();
       case Kind::not_tested:
-        return "not tested" + not_tested_text(model_, judged_, statement.solvers);
+        return "not tested" + in_brackets(reason_not_tested(model_, judged_, statement.solvers));
       case Kind::no_comparison:  // of these, only `inconclusive` is said against a control
       case Kind::best:
       case Kind::inconclusive:
       case Kind::none_better:
       case Kind::cyclic:
-        return "not decided";
+        return "inconclusive";
     }
-    return "not decided";
+    return "inconclusive";
   }
 
   std::string clause(const Statement& statement) {
@@ -295,12 +340,11 @@ class QuestionTeller {
       case Kind::equivalent:
         return fmt::format("{} are {}", with_numbers(solvers), same_within_margin());
       case Kind::inconclusive:
-        return fmt::format("Not decided between {}{}", with_numbers(solvers),
-                           are_all_equal(solvers) ? ": all values are equal" : "");
+        return is_about_closest() ? closest_solver(solvers) : no_clear_winner(solvers);
       case Kind::none_better:
-        return "Nobody is shown to beat " + with_numbers(solvers);
+        return "No solver is shown to beat " + with_numbers(solvers);
       case Kind::cyclic:
-        return "No solver is best, since each is worse than another: " + with_numbers(solvers);
+        return fmt::format("No solver is best: each of {} is worse than some other", with_numbers(solvers));
       case Kind::not_tested:
         return not_tested_clause(statement);
       case Kind::better:  // only against a control, where other words stand
@@ -314,40 +358,69 @@ class QuestionTeller {
     const std::string text = number(name);
     return fmt::format("The {} of {} is{}", quantity(), name, text.substr(quantity().size()));
   }
-  std::string best_solvers(const Statement& statement) {
-    const bool are_many_solved = is_solved(judged_) && statement.solvers.size() > 1;
-    return are_many_solved ? success_counts(statement) : with_numbers(statement.solvers);
+  std::string no_clear_winner(const Names& solvers) {
+    return fmt::format("No clear winner {} {}{}", solvers.size() == 2 ? "between" : "among", with_numbers(solvers),
+                       are_all_equal(solvers) ? ": all values are equal" : "");
+  }
+  // Returns "PSO came closest (median position error 175 mm; DE 183, inconclusive)".
+  std::string closest_solver(const Names& solvers) {
+    const std::string closest = number(solvers.front());
+    Names others(solvers.begin() + 1, solvers.end());
+    return fmt::format("{} came closest ({}; {}, inconclusive)", solvers.front(), closest,
+                       lower_counts(std::move(others), " and "));
   }
   std::string best_of_two(const Statement& statement) {
-    const std::string best = best_solvers(statement);
+    const std::string &best = statement.solvers.front(), &other = statement.against.front();
     const bool is_by_ranks =
         std::ranges::count(judged_.samples.warnings, WarningKind::ranks_disagree, &Warning::kind) > 0;
-    return fmt::format("{} is better than {}{}{}", best, with_numbers(statement.against),
-                       is_by_ranks ? " by ranks" : "", below_margin(statement.is_below_margin));
+    const std::string text = fmt::format("{} {} better than {}{}: ", best, is_by_ranks ? "ranks" : "is", other,
+                                         below_margin(statement.is_below_margin));
+    if (is_solved(judged_)) {
+      const std::string highest = highest_count(best);
+      return fmt::format("{}it {}, {} {}", text, highest, other, number(other));
+    }
+    const std::string first_number = number(best);
+    return fmt::format("{}{} against {}", text, first_number, number(other));
   }
   std::string best_of_many(const Statement& statement) {
-    const std::string best = best_solvers(statement);
-    return fmt::format("{}{}; {} {} worse{}", best, is_best_text(statement.solvers.size() > 1),
-                       with_numbers(statement.against), is_or_are(statement.against),
-                       below_margin(statement.is_below_margin));
+    const Names &best = statement.solvers, &losers = statement.against;
+    const std::string margin = below_margin(statement.is_below_margin);
+    if (is_solved(judged_) && best.size() == 1) {
+      const std::string highest = highest_count(best.front());
+      return fmt::format("{} is best{}: it {}, {}", best.front(), margin, highest, lower_counts(losers, " and "));
+    }
+    const std::string winners = is_solved(judged_) ? success_counts(statement) : best_with_numbers(best);
+    return fmt::format("{}; {} {} worse{}", winners, with_numbers(losers), is_or_are(losers), margin);
   }
-  std::string is_best_text(bool are_many) const {
-    if (is_solved(judged_) && are_many) return "";  // counts are a sentence
-    if (judged_.plan.metric.empty() && is_nothing_solved()) return are_many ? " come nearest" : " comes nearest";
-    return are_many ? " are best" : " is best";
+  // Returns "A is best (median error 1 mm)", or "A (median error 1 mm) and B (1.1) are best".
+  std::string best_with_numbers(const Names& best) {
+    const bool is_one = best.size() == 1;
+    if (is_about_closest() && is_one) return fmt::format("{} came closest ({})", best.front(), number(best.front()));
+    if (is_one) return fmt::format("{} is best ({})", best.front(), number(best.front()));
+    return with_numbers(best) + (is_about_closest() ? " came closest" : " are best");
   }
+  // Returns "Not tested: 2 blocks, at least 7 needed. Median yield: NPK 4.08, N 3.87"; after other clauses "Not tested
+  // against LM: PSO 36 (5 targets, at least 8 needed)".
   std::string not_tested_clause(const Statement& statement) {
-    const char* const not_tested = first_named_.empty() ? "Not tested" : "not tested";
-    return fmt::format("{}{}{}: {}", not_tested,
-                       statement.against.empty() ? "" : " against " + statement.against.front(),
-                       not_tested_text(model_, judged_, statement.solvers), with_numbers(statement.solvers));
+    const std::string reason = reason_not_tested(model_, judged_, statement.solvers);
+    const std::string against = statement.against.empty() ? "" : " against " + statement.against.front();
+    const bool is_first = first_named_.empty();
+    Names texts = statement.solvers;
+    if (is_first) first_named_ = texts.front();
+    for (std::string& text : texts) {
+      const bool is_known = !std::isnan(displayed_average(judged_, index_of(judged_.samples, text)).value);
+      if (is_first || is_known) text += ' ' + value_text(text, is_first && &text == &texts.front());
+    }
+    if (!is_first) return fmt::format("Not tested{}: {}{}", against, names_of(texts), in_brackets(reason));
+    return fmt::format("Not tested{}{}. {}: {}", against, reason.empty() ? "" : ": " + reason, quantity_as_title(),
+                       names_of(texts, ", "));
   }
   std::string worse_clause(const Statement& statement) {
     const std::string& winner = statement.against.front();
     const std::string losers = with_numbers(statement.solvers);
+    const bool is_winner_clear = (is_solved(judged_) || is_about_closest()) && winner == first_named_;
     return fmt::format("{} {} worse{}{}", losers, is_or_are(statement.solvers),
-                       is_solved(judged_) && winner == first_named_ ? "" : " than " + winner,
-                       below_margin(statement.is_below_margin));
+                       is_winner_clear ? "" : " than " + winner, below_margin(statement.is_below_margin));
   }
   bool are_all_equal(const Names& solvers) const {
     return holds_for_pairs(solvers, solvers, [&](const std::string& first, const std::string& second) {
@@ -357,16 +430,16 @@ class QuestionTeller {
 
   // The clauses of a second question.
 
-  std::string not_judged_sentence(const JudgedMetric& untested) const {
-    return fmt::format("{} is not judged{}. ", as_sentence(untested.samples.quantity),
-                       not_tested_text(model_, untested, question_.solvers));
+  std::string not_compared_sentence(const JudgedMetric& untested) const {
+    return fmt::format("{} is not compared{}. ", as_sentence(untested.samples.quantity),
+                       in_brackets(reason_not_tested(model_, untested, question_.solvers)));
   }
   std::string no_difference_clause(const Ranking& ranking) const {
     const std::string& quantity = judged_.samples.quantity;
     const Kind kind = question_.statements.front().kind;
-    if (kind == Kind::cyclic) return fmt::format("By {} each is worse than another", quantity);
+    if (kind == Kind::cyclic) return fmt::format("In {} each is worse than some other", quantity);
     if (kind == Kind::equivalent && ranking.untested.empty())
-      return fmt::format("By {} they are {}", quantity, same_within_margin());
+      return fmt::format("In {} they are {}", quantity, same_within_margin());
     return fmt::format("No difference in {} is shown", quantity);
   }
   std::string difference_clause(const Ranking& ranking) const {
@@ -380,7 +453,7 @@ class QuestionTeller {
     });
     const SolverRatios ratios = ratios_to(leader, ranking.losers);
     if (!holds_for_pairs(ranking.best, ranking.losers, is_better))
-      return fmt::format("None is shown to {} than {}{}", words.be_better, leader, ratios_text(ratios, words, ""));
+      return fmt::format("No solver is shown to {} than {}{}", words.be_better, leader, ratios_text(ratios, words, ""));
     const bool is_one = ranking.best.size() == 1;
     const bool are_small = holds_for_pairs(
         ranking.best, ranking.losers,
@@ -420,7 +493,7 @@ std::string ranking_note(const ReportModel& model) {
     return &judged != &model.primary() && !beaten_solvers(judged.comparisons).empty();
   };
   if (!model.verdict.empty() || std::ranges::none_of(model.metrics, has_winner)) return "";
-  const std::string first = "Judged by " + model.primary().samples.quantity;
+  const std::string first = "Ranked by " + model.primary().samples.quantity;
   if (model.questions.size() < 2) return first;
   return fmt::format("{}, then {}", first, model.metrics[model.questions.back().metric].samples.quantity);
 }

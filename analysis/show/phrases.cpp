@@ -30,8 +30,22 @@ std::string count_limit_text(std::int64_t count, std::string_view nouns) {
 // Returns why a solve that is not solved ended.
 std::string failure_reason(const SolveSummary& solve) {
   if (!results::is_sound(solve.status)) return with_spaces(results::name_of(solve.status));
-  if (solve.stop_reason == results::StopReason::finished) return "it gave up";
-  return "limit of " + with_spaces(results::name_of(solve.stop_reason));
+  switch (solve.stop_reason) {
+    case results::StopReason::iterations:
+      return "iteration limit";
+    case results::StopReason::evaluations:
+      return "evaluation limit";
+    case results::StopReason::time:
+      return "time limit";
+    case results::StopReason::tolerance:
+      return "stopped outside the tolerance";
+    case results::StopReason::not_finite:
+      return "values that are not finite";
+    case results::StopReason::finished:
+    case results::StopReason::gave_up:
+      return "gave up";
+  }
+  return "";
 }
 
 }  // namespace
@@ -65,12 +79,12 @@ std::string comparison_text(const Comparison& comparison, const JudgedMetric& ju
   if (const auto* const tested = std::get_if<TestResult>(&comparison.result)) {
     if (tested->verdict == Verdict::equivalent) return "same within " + margin;
     if (all_values_equal(comparison)) return fmt::format("{}: all {} equal", verdict, tested->n);
-    return verdict + (tested->is_below_margin ? ", by less than " + margin : "");
+    return verdict + (tested->is_below_margin ? " by less than " + margin : "");
   }
   if (std::holds_alternative<DeterministicResult>(comparison.result))
     return verdict +
            (all_values_equal(comparison) || is_difference(verdict_of(comparison)) ? "" : " within " + margin) +
-           ", for certain";
+           " (deterministic)";
   return fmt::format("{}: {}", verdict, reason_text(std::get<NotTested>(comparison.result), "values"));
 }
 
@@ -83,23 +97,22 @@ const VerdictStyle& verdict_words(Verdict verdict) {
 ReasonTexts reason_words(NotTestedReason why) {
   constexpr std::array<ReasonTexts, 9> all{
       {{"lost", "values are missing", "values are missing"},
-       {"infinite", "infinite values have no mean", "infinite values have no mean"},
+       {"infinite", "a mean needs finite values", "a mean needs finite values"},
        {"apart", "not comparable", "not comparable (!)"},
-       {"no_spread", "one has no spread", "not comparable (!)"},
-       {"none", "one or both solved nothing", "nothing was solved"},
-       {"no_answer", "neither has an answer", "no answer"},
-       {"copies", "each has a single number, which may have been copied; --run row says that each row is a measurement",
+       {"no_spread", "one has zero spread", "not comparable (!)"},
+       {"none", "one or both solved no target", "no target was solved"},
+       {"no_answer", "neither gave an answer", "no answer"},
+       {"copies", "each has a single number, which may have been copied; add --run row if each row is a measurement",
         "one number (!)"},
        {"too_few", "no values to compare", "too few to compare"},
-       {"few_decide", "few values decide", "too few to compare"}}};
+       {"few_decide", "a few values dominate", "too few to compare"}}};
   return all[static_cast<std::size_t>(why)];
 }
 
 std::string reason_text(const NotTested& open, std::string_view noun) {
   if (open.reason != NotTestedReason::sample_too_small || open.n == 0)
     return std::string(reason_words(open.reason).of_pair);
-  return fmt::format("{} {} too few, {} are needed", base::counted(open.n, noun), open.n == 1 ? "is" : "are",
-                     open.required_n);
+  return fmt::format("{}, at least {} needed", base::counted(open.n, noun), open.required_n);
 }
 
 std::string warning_sentence(const Warning& warning) {
@@ -111,7 +124,7 @@ std::string estimate_unit(const Comparison& comparison, const JudgedMetric& judg
   if (!comparison.estimate) return "";
   switch (comparison.scale) {
     case EffectScale::ratio:
-      return "times";
+      return "ratio";
     case EffectScale::share:
       return "points";
     case EffectScale::difference:
@@ -124,7 +137,7 @@ std::string dominance_text(const Comparison& comparison) {
   const auto* const tested = std::get_if<TestResult>(&comparison.result);
   if (!tested || !tested->dominance || !is_difference(tested->verdict)) return "";
   const auto& [ahead, behind] = *tested->dominance;
-  return fmt::format("better in {} %, worse in {} % of comparisons", number_text(100 * ahead),
+  return fmt::format("better in {} % and worse in {} % of value pairs", number_text(100 * ahead),
                      number_text(100 * behind));
 }
 
@@ -140,12 +153,15 @@ std::string budget_text(const StudyResults& study) {
   std::vector<std::string> tolerances{limit_text(10 * stop.tolerance_cm(), " mm"),
                                       limit_text(stop.tolerance_deg(), " deg")};
   std::erase(tolerances, "");
-  std::vector<std::string> stops{listed(tolerances) + (stop.adds_squares ? " (squares added)" : ""),
-                                 count_limit_text(stop.iterations, "iterations"),
-                                 count_limit_text(stop.evaluations, "evaluations"),
-                                 limit_text(1000 * stop.seconds, " ms")};
-  std::erase(stops, "");
-  return listed(stops, " or ");
+  std::vector<std::string> limits{count_limit_text(stop.iterations, "iterations"),
+                                  count_limit_text(stop.evaluations, "evaluations"),
+                                  limit_text(1000 * stop.seconds, " ms")};
+  std::erase(limits, "");
+  std::vector<std::string> stops;
+  if (!tolerances.empty())
+    stops.push_back(fmt::format("at {}{}", listed(tolerances), stop.adds_squares ? " (squares added)" : ""));
+  if (!limits.empty()) stops.push_back("after " + listed(limits, " or "));
+  return fmt::format("{}", fmt::join(stops, ", or "));
 }
 
 std::string failure_reasons_text(const StudyResults& study) {
@@ -158,7 +174,7 @@ std::string failure_reasons_text(const StudyResults& study) {
     }
     if (!of_label.empty()) reasons.add(listed({of_label.begin(), of_label.end()}, " or "), label);
   }
-  return reasons.entries.empty() ? "" : fmt::format("Unsolved: {}.", fmt::join(reasons.formatted("{} ({})"), "; "));
+  return reasons.entries.empty() ? "" : fmt::format("Why unsolved: {}.", fmt::join(reasons.formatted("{} ({})"), "; "));
 }
 
 std::string rejections_text(const StudyResults& study) {
@@ -166,8 +182,8 @@ std::string rejections_text(const StudyResults& study) {
   for (const auto& [label, all] : study.rejections)
     for (const auto& [fault, count] : all) faults.add(fault, fmt::format("{} {}", label, count));
   if (faults.entries.size() > 10)
-    faults.entries = {{base::counted(std::ssize(faults.entries), "faults"), {"solves.csv"}}};
-  return faults.entries.empty() ? "" : fmt::format("Invalid: {}.", fmt::join(faults.formatted("{} ({})"), "; "));
+    faults.entries = {{base::counted(std::ssize(faults.entries), "faults"), {"listed in solves.csv"}}};
+  return faults.entries.empty() ? "" : fmt::format("Rejected by the check: {}.", fmt::join(faults.formatted("{} ({})"), "; "));
 }
 
 const std::string& title_of(const StudyResults& study) {

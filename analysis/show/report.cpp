@@ -45,8 +45,8 @@ Table solves_table(const Report& report) {
     row.push_back(times.empty() ? Cell() : Cell(times.back()));
   }
   table.notes = {
-      "Time of each solve that gave an answer, solved or not. Brackets: 95 % intervals; the rarer of two quantiles needs "
-      "368 solves, the other 72."};
+      "Time of each solve that gave an answer, solved or not. Brackets: 95 % intervals, which need 72 solves for the 95 % "
+      "quantile and 368 for the 99 % quantile."};
   return table;
 }
 
@@ -54,7 +54,7 @@ Table solves_table(const Report& report) {
 Table extras_table(const Report& report) {
   const StudyResults& study = report.study;
   Table table{
-      .name = "extras", .caption = "Numbers of the solvers' own, medians", .columns = named_columns({"solver"})};
+      .name = "extras", .caption = "Solvers' own numbers (medians)", .columns = named_columns({"solver"})};
   for (const auto& [name, by_solver] : study.extras) table.columns.push_back({name});
   for (const std::string& solver : report.model.solvers()) {
     std::vector<Cell> row{solver};
@@ -107,20 +107,20 @@ std::vector<Table> setup_tables(const Report& report) {
             : fmt::format("{}, from link {} to {}", definition.robot, definition.base_link, definition.tip_link));
     for (const std::string& note : definition.arm_notes) add(of_study, "arm as read", note);
     add(of_study, "targets",
-        fmt::format("{} a run, {}{}", definition.points, with_spaces(definition.path),
-                    definition.draws_targets ? ", drawn for each run anew" : ""));
+        fmt::format("{} per run, {}{}", definition.points, with_spaces(definition.path),
+                    definition.draws_targets ? ", redrawn for each run" : ""));
     add(of_study, "search", with_spaces(name_of(definition.search)));
     add(of_study, "start",
-        definition.is_chained() ? "where the last solve left the arm" : with_spaces(name_of(definition.start)));
+        definition.is_chained() ? "the previous answer" : with_spaces(name_of(definition.start)));
     add(of_study, "timed calls", judge::timed_calls_text(study));
     add(of_study, "candidates outside limits", with_spaces(name_of(definition.bounds)));
     add(of_study, "answers outside limits", std::string(name_of(definition.limits)));
-    add(of_study, "a solve ends at", budget_text(study));
-    add(of_study, "solved answers are valid by", fmt::format("{}", fmt::join(definition.check.process, " ")));
+    add(of_study, "a solve stops", budget_text(study));
+    add(of_study, "answers checked by", fmt::format("{}", fmt::join(definition.check.process, " ")));
     add(of_study, "runs", fmt::to_string(definition.runs));
     add(of_study, "seed", fmt::to_string(definition.seed));
     for (const std::string& departure : definition.departures)
-      add(of_study, "departs from the published study", departure);
+      add(of_study, "differs from the published study", departure);
   }
   std::set<std::string> tests;
   for (const JudgedMetric& judged : report.model.metrics) {
@@ -132,9 +132,9 @@ std::vector<Table> setup_tables(const Report& report) {
   const std::size_t metrics = report.model.named_metrics;
   if (!tests.empty())
     add(of_study, "significance",
-        fmt::format("{}, divided by the pairs of a metric{} (Bonferroni); a difference within {} does not matter",
+        fmt::format("{} per metric, Bonferroni over its pairs{}; equivalence margin {}",
                     number_text(decisive.plan.significance),
-                    metrics == 1 ? "" : fmt::format(" and by the {} metrics that the plan names", metrics),
+                    metrics == 1 ? "" : fmt::format(" and the {} metrics that the plan names", metrics),
                     margin_text(decisive)));
   for (const char* fact : {"cpu", "os", "compiler", "build_type", "version", "commit", "jobs", "date"})
     add(machine, with_spaces(fact), listed_of(environment_values(study, fact)));
@@ -178,13 +178,13 @@ std::vector<Blocks> report_sections(const Report& report) {
     };
     all.visible_rows = static_cast<std::size_t>(std::ranges::count_if(all.rows, is_first));
     if (report.model.primary().plan.test == results::AnalysisPlan::Test::means)
-      add("All solvers at once", {std::move(all)});
+      add("Omnibus tests", {std::move(all)});
   }
   warnings.insert(warnings.end(), report.extra_warnings.begin(), report.extra_warnings.end());
   add("Warnings", {warnings.begin(), warnings.end()});
   if (is_of_study)
     add("Set-up", {setup_tables(report)[0], options_table(report.study), setup_tables(report)[1],
-                   "As a paragraph, with what to cite: article/methods.tex."});
+                   "The same as a paragraph with references: article/methods.tex."});
   return sections;
 }
 

@@ -114,18 +114,18 @@ Table loop_table(const StudyResults& study, const std::vector<std::string>& solv
                           has_limits ? percent_cell(counts.too_fast, counts.steps) : Cell()});
   }
   table.notes = {
-      "Steps are of one joint that turns, between two targets; late: longer than the period, or without an answer."};
-  if (!is_all_timed) table.notes.emplace_back("Of solves at once and of a debug build it is not known who is late.");
+      "Steps: movement of one revolute joint between two targets. Late: solved after the period, or not at all."};
+  if (!is_all_timed) table.notes.emplace_back("Lateness is not known for parallel solves and debug builds.");
   if (!unlimited.empty())
-    table.notes.push_back(fmt::format("Without a known velocity limit, so never too fast: {}.", listed(unlimited)));
+    table.notes.push_back(fmt::format("Never too fast, because the velocity limit is not known: {}.", listed(unlimited)));
   return table;
 }
 
 // Returns the times of imported solvers and of the study's own; without rows if none are imported.
 Table imported_table(const StudyResults& study, const std::vector<std::string>& solvers) {
   Table table{.name = "beside",
-              .caption = "Times as multiples of LM's on the same machine, not tested",
-              .columns = {{"solver"}, {"median", "times"}, {"95 %", "times"}, {"measured"}}};
+              .caption = "Times relative to LM on the same machine (not tested)",
+              .columns = {{"solver"}, {"median", "ratio"}, {"95 %", "ratio"}, {"measured"}}};
   const auto lm = std::ranges::find(study.series, study.imported.local_reference, &results::Series::label);
   if (study.imported.labels.empty() || lm == study.series.end()) return table;
   const double local_seconds = describe_values(solve_times(study, lm->label)).median;
@@ -142,7 +142,7 @@ Table imported_table(const StudyResults& study, const std::vector<std::string>& 
 // Returns the times per pose in batches, which no single call has; without rows if there are none.
 Table batches_table(const StudyResults& study) {
   Table table{.name = "batches",
-              .caption = "The time of a pose in a batch, solved or not, not tested",
+              .caption = "Time per pose in a batch, solved or not (not tested)",
               .columns = {{"solver"}, {"in batches of"}, {"median", "ms"}, {"95 %", "ms"}}};
   for (const auto& [solver, sizes_and_times] : study.batch_timings) {
     const auto& [sizes, seconds] = sizes_and_times;
@@ -187,7 +187,7 @@ std::vector<std::string> study_notes(const JudgedStudy& judged) {
   const auto is_time = [](const JudgedMetric& metric) { return metric.samples.quantity_kind == QuantityKind::time; };
   if (std::ranges::any_of(judged.metrics, is_time) &&
       std::ranges::any_of(judged.study.solves, &SolveSummary::is_self_timed))
-    notes.emplace_back("Times of programs are told by them.");
+    notes.emplace_back("Times of programs are self-reported.");
   for (const std::string& note : {failure_reasons_text(judged.study), rejections_text(judged.study)})
     if (!note.empty()) notes.push_back(note);
   return notes;
@@ -196,7 +196,7 @@ std::vector<std::string> study_notes(const JudgedStudy& judged) {
 std::string study_sentences(const StudyResults& study) {
   const std::string text = study_text(study);
   const std::string name = text.starts_with(study.name + ",") ? "" : study.name + ": ";
-  return fmt::format("{}{}. A solve ends at {}.", name, text, budget_text(study));
+  return fmt::format("{}{}. A solve stops {}.", name, text, budget_text(study));
 }
 
 }  // namespace
@@ -257,11 +257,11 @@ ReportModel make_report_model(const JudgedStudy& judged) {
   model.warnings = judged.warnings;
   model.study_text = study_sentences(judged.study);
   model.extra_tables = {{"Control loop", loop_table(judged.study, model.solvers())},
-                        {"Beside another machine", imported_table(judged.study, model.solvers())},
+                        {"Imported results", imported_table(judged.study, model.solvers())},
                         {"In batches", batches_table(judged.study)}};
   model.noun = definition.compares_runs() ? "runs" : "targets";
   if (definition.stop.only_time_limits())
-    model.within = fmt::format(" within {} ms", number_text(1000 * definition.stop.seconds));
+    model.time_limit = number_text(1000 * definition.stop.seconds) + " ms";
   model.named_metrics = names_in_plan(definition).size();
   for (JudgedMetric& metric : model.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.samples.unit);

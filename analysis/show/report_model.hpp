@@ -19,7 +19,7 @@ struct ReportModel {
   std::vector<std::size_t> order;            // groups of the primary metric, best first
   std::vector<judge::Warning> warnings;      // about the whole study
   std::string noun = "values";               // what the values of a sample are: "runs", "targets"
-  std::string within = {};           // " within 1 ms" if only a time limit ends unsolved solves; otherwise empty
+  std::string time_limit = {};       // "1 ms" if only a time limit ends unsolved solves; otherwise empty
   std::size_t named_metrics = 1;     // metrics that the plan names, which share the significance
   std::vector<std::string> notes;    // below the table of results
   std::string study_text = {};       // what was solved, and what ended a solve; empty for a file

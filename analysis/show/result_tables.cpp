@@ -184,10 +184,10 @@ std::string compared_with(const ReportModel& model, const std::string& reference
     if (comparison.first == reference_of(model) && verdict_of(comparison) == Verdict::better)
       others.erase(comparison.second);
   }
-  return model.primary().plan.control.empty() && !others.empty() ? "another solver" : reference;
+  return model.primary().plan.control.empty() && !others.empty() ? "some other solver" : reference;
 }
 
-// Returns " (6 runs are too few, 7 are needed)" if that is the reason of all pairs that are not tested; otherwise
+// Returns " (6 runs, at least 7 needed)" if that is the reason of all pairs that are not tested; otherwise
 // empty.
 std::string too_few_text(const ReportModel& model) {
   std::set<std::string> reasons;
@@ -215,7 +215,7 @@ struct CellKinds {
     (is_share ? shares : spreads) |= cell.interval || cell.sd;
     marks.insert(cell.mark);
     if (cell.relative_to_reference)
-      scales.insert(*cell.relative_to_reference == EffectScale::ratio ? "multiples of" : "differences from");
+      scales.insert(*cell.relative_to_reference == EffectScale::ratio ? "relative to" : "differences from");
   }
 };
 
@@ -238,16 +238,16 @@ std::string marks_note(const ReportModel& model, const CellKinds& kinds) {
     });
   };
   const AnalysisPlan& plan = model.primary().plan;
+  const bool is_corrected = model.order.size() > 2 || model.named_metrics > 1;
   const std::string tests =
-      fmt::format(" (p < {}{}{})", number_text(plan.significance),
-                  plan.control.empty() && model.order.size() > 2 ? ", all pairs" : "",
-                  std::ranges::any_of(model.metrics, has_exact_differences) ? ", or for certain" : "");
+      fmt::format(" (p < {}{}{})", number_text(plan.significance), is_corrected ? ", corrected" : "",
+                  std::ranges::any_of(model.metrics, has_exact_differences) ? ", or deterministic" : "");
   return marks_text(kinds.marks, compared_with(model, reference_of(model)) + tests, too_few_text(model));
 }
 
 std::string intervals_note(const ReportModel& model, const CellKinds& kinds) {
   if (!kinds.shares) return "";
-  return fmt::format("Intervals{}: {:.3g} %", kinds.spreads && !are_means(model) ? " of shares" : "",
+  return fmt::format("Brackets{}: {:.3g} % intervals", kinds.spreads && !are_means(model) ? " of shares" : "",
                      100 * (1 - model.primary().plan.significance));
 }
 
@@ -275,12 +275,12 @@ std::vector<std::string> page_notes(const ReportModel& model, const CellKinds& k
   };
   std::vector<std::string> notes;
   if (has_any(is_cost_per_success))
-    notes.push_back(fmt::format("Per solved: all that was spent, divided by the {} solved", model.noun));
+    notes.push_back(fmt::format("Per success: cost of all attempts divided by the {} solved (ERT)", model.noun));
   if (!kinds.scales.empty())
-    notes.push_back(has_any(has_common_targets) ? fmt::format("Multiples are on {} that both solved", model.noun)
-                                                : "Multiples are of solved " + model.noun);
+    notes.push_back(has_any(has_common_targets) ? fmt::format("Ratios use only {} that both solved", model.noun)
+                                                : "Ratios use only solved " + model.noun);
   if (!kinds.own_targets.empty())
-    notes.push_back(fmt::format("{}: {}s of the {} that each solved", as_sentence(listed(kinds.own_targets)),
+    notes.push_back(fmt::format("{}: {} over the {} that each solver solved", as_sentence(listed(kinds.own_targets)),
                                 average_name(model), model.noun));
   if (!kinds.reasons.entries.empty())
     notes.push_back(fmt::format("-: {}", fmt::join(kinds.reasons.formatted("{} ({})"), "; ")));
@@ -291,7 +291,7 @@ std::vector<std::string> page_notes(const ReportModel& model, const CellKinds& k
 Table empty_pairs_table(const ReportModel& model) {
   Table table{
       .name = "pairs",
-      .caption = "The first against the second",
+      .caption = "First solver against second",
       .columns = named_columns({"metric", "first", "second", "estimate", "interval", "unit", "p", "verdict", "A12",
                                 "ahead", "behind", "g", "g_av", "test", "n", "n that could decide", "size", "reason"})};
   std::set<double> ends;
@@ -370,11 +370,18 @@ std::vector<Cell> pair_row(const Comparison& comparison, const JudgedMetric& jud
           reason_cell(comparison)};
 }
 
+// Returns the heading of a column, which is shorter than the name in sentences.
+std::string heading_of(const MetricSamples& samples) {
+  constexpr std::string_view targets = "targets ";
+  const bool is_of_targets = is_proportion(samples) && samples.quantity.starts_with(targets);
+  return is_of_targets ? samples.quantity.substr(targets.size()) : samples.quantity;
+}
+
 Column result_head(const ReportModel& model, const JudgedMetric& judged) {
   const MetricSamples& samples = judged.samples;
   const bool is_average = &judged == &model.primary() && !is_success_rate(judged) &&
                           !is_conditional_on_success(samples) && !is_log_scale(samples);
-  return {.name = (is_average ? average_name(model) + " " : "") + samples.quantity,
+  return {.name = (is_average ? average_name(model) + " " : "") + heading_of(samples),
           .unit = samples.unit,
           .boundaries = percent_boundaries(judged)};
 }
@@ -382,7 +389,7 @@ Column result_head(const ReportModel& model, const JudgedMetric& judged) {
 std::string how_p_is_adjusted(const ReportModel& model) {
   const std::string metrics =
       model.named_metrics == 1 ? "" : fmt::format(" and by the {} metrics that the plan names", model.named_metrics);
-  return fmt::format("p is multiplied by the number of pairs tested of its metric{}, and intervals hold for all.",
+  return fmt::format("p is multiplied by the number of pairs tested in its metric{}; intervals hold for all pairs at once.",
                      metrics);
 }
 
@@ -421,7 +428,7 @@ Table results_table(const ReportModel& model, bool is_brief) {
 }
 
 Table studies_table(const std::vector<ReportModel>& studies, const std::vector<std::string>& names) {
-  Table table{.name = "studies", .caption = "What decides each study", .columns = {{"solver"}}, .is_of_study = false};
+  Table table{.name = "studies", .caption = "The deciding metric of each study", .columns = {{"solver"}}, .is_of_study = false};
   NamesByPhrase quantities, references;  // studies by quantity, and by reference
   std::set<std::string> all_marks;
   for (std::size_t s = 0; s < studies.size(); ++s) {
@@ -450,7 +457,7 @@ Table studies_table(const std::vector<ReportModel>& studies, const std::vector<s
   for (auto& row : table.rows) row.resize(table.columns.size(), MissingCell{"not in the study"});
   std::vector<std::string> sentences{"Shown: " + listed(quantities.formatted("{} ({})")),
                                      marks_text(all_marks, listed(references.formatted("{} ({})"), " or ")),
-                                     "Each study is judged alone"};
+                                     "Each study is analysed separately"};
   std::erase(sentences, "");
   table.notes = {fmt::format("{}.", fmt::join(sentences, ". "))};
   return table;
@@ -541,19 +548,19 @@ Table descriptives_table(const ReportModel& model) {
       is_any_missing |= missing_in(group) > 0;
     }
   }
-  table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", model.noun,
+  table.notes = {fmt::format("n: number of {}{}. Quartiles as in MATLAB.{}", model.noun,
                              model.direction.empty()
-                                 ? "; of costs those that a solver solved, of costs per solved all, of times "
-                                   "sessions, with their geometric mean"
+                                 ? " (costs: solved targets; costs per success: all; times: sessions, with the "
+                                   "geometric mean)"
                                  : "",
-                             is_any_share ? " Interval: Wilson's." : "")};
-  if (is_any_missing) table.notes.emplace_back("missing: without a value; such a solver is not tested.");
+                             is_any_share ? " Interval: Wilson score." : "")};
+  if (is_any_missing) table.notes.emplace_back("missing: number of missing values; a solver that lacks values is not tested.");
   return table;
 }
 
 Table omnibus_table(const ReportModel& model) {
   Table table{.name = "anova",
-              .caption = "Do the solvers differ at all?",
+              .caption = "Omnibus tests: do any solvers differ?",
               .columns = named_columns({"metric", "test", "source", "SS", "df", "MS", "statistic", "p", "eta squared",
                                         "partial eta squared", "epsilon"})};
   table.columns[7].role = ColumnRole::p;
@@ -575,8 +582,8 @@ Table omnibus_table(const ReportModel& model) {
     }
     if (!without.empty() && !tests.empty()) left_out.add(names_of(without), quantity);
   }
-  table.notes = {"The pairs decide, whatever these say."};
-  std::ranges::move(left_out.formatted("Without {}: no chance in the values, or not compared ({})."),
+  table.notes = {"Verdicts rest on the pairwise comparisons, not on these tests."};
+  std::ranges::move(left_out.formatted("{} left out: deterministic or not comparable ({})."),
                     std::back_inserter(table.notes));
   return table;
 }

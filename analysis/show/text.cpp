@@ -111,7 +111,7 @@ std::string number_text(double value, int digits) {
   return is_long ? fmt::format("{:.0f}", value) : text;
 }
 
-std::string ratio_text(double ratio) { return number_text(ratio, std::abs(ratio - 1) < 0.1 ? 3 : 2) + " times"; }
+std::string ratio_text(double ratio) { return number_text(ratio, std::abs(ratio - 1) < 0.1 ? 3 : 2) + 'x'; }
 
 std::string number_within(double value, const Boundaries& ends, int digits) {
   const std::string text = number_text(value, digits);

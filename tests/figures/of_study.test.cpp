@@ -42,15 +42,15 @@ TEST_CASE("a path has curves by point, the path and the joints", "[of_study]") {
                                    "motion-by-point", "time-by-point", "differences", "path", "joints"});
   const ScratchFolder folder;
   CHECK(drawn_as_svg(figures, folder.path) == "");
-  CHECK(contains(figures[1].caption, "a dot is the mean of a run"));
+  CHECK(contains(figures[1].caption, "Each dot is the mean of one run"));
   const auto caption_of = [](const Asked& other) {
     return named(figures_of_study(study(other, differ)), "error-boxes").caption;
   };
-  CHECK(contains(caption_of({.start = "initial"}), "a dot is a target, the mean of its runs;"));
-  CHECK(contains(caption_of({.start = "initial", .runs = 1}), "a dot is a target;"));
-  CHECK(contains(caption_of({.start = "initial", .points = 1}), "a dot is a run;"));
-  CHECK(contains(caption_of({.start = "initial", .targets = "drawn", .points = 1}), "a dot is a target;"));
-  CHECK(contains(figures[2].caption, "a dot is the median of a run"));
+  CHECK(contains(caption_of({.start = "initial"}), "Each dot is one target, as the mean of its runs;"));
+  CHECK(contains(caption_of({.start = "initial", .runs = 1}), "Each dot is one target;"));
+  CHECK(contains(caption_of({.start = "initial", .points = 1}), "Each dot is one run;"));
+  CHECK(contains(caption_of({.start = "initial", .targets = "drawn", .points = 1}), "Each dot is one target;"));
+  CHECK(contains(figures[2].caption, "Each dot is the median of one run"));
   const CurveRow row = by_point(asked, "position_error_cm", look_of_study(asked), Average::median).at(0).rows.at(0);
   CHECK(row.x == 1);
   CHECK(row.low == Approx(1.75));  // of 1 to 5 mm, by Hyndman and Fan's type 5
@@ -78,7 +78,7 @@ TEST_CASE("drawn targets with a tolerance have shares, and no number of solved o
   const auto many =
       figures_of_study(study({.tolerance_cm = 0.01}, fails, {"A", "B", "C", "D", "E", "F", "G", "H", "I"}));
   CHECK(contains(named(many, "error-shares").data, "]\n# A\n"));  // the study's first, though it is the last
-  CHECK(named(many, "error-shares").caption.ends_with("Without H and I: only 7 are drawn."));
+  CHECK(named(many, "error-shares").caption.ends_with("Left out: H and I; only 7 are drawn."));
 }
 
 TEST_CASE("solvers whose costs are not known or not comparable are left out of shares, by name", "[of_study]") {
@@ -92,10 +92,10 @@ TEST_CASE("solvers whose costs are not known or not comparable are left out of s
                                    {"A", "B", "C", "D"});
   const std::vector<Figure> figures = figures_of_study(asked);
   CHECK(named(figures, "solved-by-evaluations").caption ==
-        "Share of targets solved within a number of evaluations. Without A, whose evaluations cannot be compared.");
+        "Share of targets solved within a number of evaluations. Left out: A, whose evaluations cannot be compared.");
   CHECK(
       named(figures, "solved-by-time").caption ==
-      "Share of targets solved within a time. Times: first calls on a target. Without B and D, whose time cannot be compared.");
+      "Share of targets solved within a time. Times: first calls on a target. Left out: B and D, whose time cannot be compared.");
 }
 
 TEST_CASE("a difference is told as tables tell it: the better one first, in points or a ratio", "[of_study]") {
@@ -171,7 +171,7 @@ TEST_CASE("mean ranks are those of the blocks, with a critical difference where 
   of.is_paired = true;
   of.groups[1].sample = ExcludedSample{.reason = ExclusionReason::not_comparable};
   CHECK(contains(ranked({})->caption, "0.741"));  // of three alone: 2.344 sqrt(3 * 4 / (6 * 20))
-  CHECK(contains(ranked({})->caption, "Without B: "));
+  CHECK(contains(ranked({})->caption, "all: B."));
   of.groups[2].sample = ExcludedSample{.reason = ExclusionReason::not_comparable};
   CHECK_FALSE(ranked({}));
 }

@@ -112,7 +112,7 @@ TEST_CASE("seven lines are drawn, their names in order and none above another", 
   for (int i = 0; i < 10; ++i)
     lines.push_back({fmt::format("solver {}", i), i + 1, {{1, 5}, {2, i < 5 ? 9 : 6.0 / (i + 1)}}});
   const Figure figure = *curves(error_in("c"), "point", lines);
-  CHECK(figure.caption == "c Without solver 7, solver 8 and solver 9: only 7 are drawn.");
+  CHECK(figure.caption == "c Left out: solver 7, solver 8 and solver 9; only 7 are drawn.");
   CHECK(contains(figure.data, "# solver 9\n1 5 NaN NaN\n2 0.6 NaN NaN\n"));
   CHECK_FALSE(contains(figure.plot, "data index 7"));
   std::vector<double> heights;
@@ -227,7 +227,7 @@ TEST_CASE("joints have a panel each, and angles outside the limits are told", "[
   CHECK(inside.data == "# A: point, angle of each joint [deg]\n1 10 200\n2 -90 0\n");
   CHECK_FALSE(contains(inside.caption, "outside"));
   const Figure outside = *joints(error_in("j"), {{{"A", 1, {{91, 0}}}, {"B", 2, {{0, 0}}}}, columns});
-  CHECK(contains(outside.caption, "Rings: outside the limits."));
+  CHECK(contains(outside.caption, "Rings mark angles outside the limits."));
   CHECK(contains(outside.settings, "(b) B"));
   const std::vector<JointRow> nine(9, {"A", 1, {{10, 200}}});
   CHECK(contains(joints(error_in("j"), {nine, columns})->settings, "'7 of 9'"));

@@ -297,7 +297,7 @@ TEST_CASE("published summaries are judged by Welch's t, of differences", "[compa
   for (const AnalysisPlan& plan : {by_ranks, by_means}) {
     const std::vector<Seen> comparisons = compared(of, plan);
     CHECK(verdicts(comparisons) ==
-          "IK-BABA better; IK-BADE better; IK-BAK-ABC better; BADE worse; BAK-ABC worse; DEK-ABC not decided; ");
+          "IK-BABA better; IK-BADE better; IK-BAK-ABC better; BADE worse; BAK-ABC worse; DEK-ABC inconclusive; ");
     CHECK(comparisons[0].scale == EffectScale::difference);
     CHECK(*comparisons[0].estimate == Approx(-1.683));
     CHECK_FALSE(comparisons[0].effect);
@@ -444,7 +444,7 @@ TEST_CASE("an absolute margin leaves equal values the same from as many on as a 
   }
 }
 
-TEST_CASE("as many more observations as it says would about decide what is not decided", "[compare]") {
+TEST_CASE("as many more observations as it says would about decide what is inconclusive", "[compare]") {
   // 55 of 100 ahead: McNemar at 0.05 with a chance of 0.8 takes 783 pairs, all of which differ (Lehr's 8 / 0.1^2).
   MetricSamples of = paired(groups_of({solved(55, 100), solved(45, 100)}, EffectScale::share));
   std::ranges::reverse(values_in(of.groups[1]));

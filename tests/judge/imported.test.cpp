@@ -55,7 +55,7 @@ TEST_CASE("Beside a study, shares are compared where no time ended a solve, and 
   CHECK(
       says(
           solved.warnings,
-          "late was stopped by the time limit in 10 of 60 solves, so not compared: solved on another machine, 11/2026") ==
+          "late is not compared: the time limit stopped 10 of 60 solves (solved on another machine, 11/2026)") ==
       1);
 }
 

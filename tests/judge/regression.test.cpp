@@ -61,7 +61,7 @@ TEST_CASE("three times the evaluations on the targets that it solves are worse, 
     if (solve.status == Status::ok) solve.evaluations *= 3;
   };
   const RegressionCheck gate = gate_of(version(1), version(2, of_100, triple));
-  CHECK(gate.quantities(RegressionOutcome::worse) == Names{"evaluations per solved"});
+  CHECK(gate.quantities(RegressionOutcome::worse) == Names{"evaluations per success"});
   CHECK(exit_code({gate}, false) == 3);
   CHECK(exit_code({gate_of(version(2, of_100, triple), version(1))}, false) == 0);
 }
@@ -195,18 +195,18 @@ TEST_CASE("times of two that solved in turn decide; too few turns and other sess
   StudyResults hot = in_turns(6, 0, 1e-5);
   for (results::Session& session : hot.sessions) session.environment["state"] = "hot";
   CHECK_THROWS_WITH(check_regression(hot, in_turns(6, 1, 1e-5), {.time_margin = 0.1}),
-                    ContainsSubstring("before second calls on a target"));
+                    ContainsSubstring("second calls on a target before"));
   const RegressionCheck told = gate_of(hot, in_turns(6, 1, 1e-5));
   const auto time = std::ranges::find(told.judged.metrics, "s", [](auto& each) { return each.samples.unit; });
   REQUIRE(time->samples.warnings.size() == 1);
-  CHECK_THAT(warning_text(time->samples.warnings.front()), ContainsSubstring("before second calls on a target"));
+  CHECK_THAT(warning_text(time->samples.warnings.front()), ContainsSubstring("second calls on a target before"));
   CHECK(find_metric(gate_of(in_turns(6, 0, 1e-5), in_turns(6, 1, 1e-5)).judged, "seconds")->samples.warnings.empty());
 }
 
 TEST_CASE("a metric that one of the two lacks is not tested") {
   const auto uncounted = [](SolveRecord& solve) { solve.counted_by = CountedBy::none; };
   CHECK(gate_of(version(1), version(2, of_100, uncounted)).quantities(RegressionOutcome::not_tested) ==
-        Names{"evaluations per solved"});
+        Names{"evaluations per success"});
   CHECK(exit_code({gate_of(version(1, of_100, uncounted), version(1))}, false) == 0);
   const RegressionCheck of_two = gate_of(of_100, [&](SolveRecord& solve) {
     if (solve.label == "B") uncounted(solve);
@@ -233,10 +233,10 @@ TEST_CASE("labels and metrics that are compared share the significance") {
   };
   const StudyResults before = version(1), after = version(1, of_100, miss_eight);
   const RegressionCheck one = gate_of(before, after), of_six = gate_of(before, after, 6);
-  CHECK(std::ranges::count(one.quantities(RegressionOutcome::worse), "solved") == 1);
+  CHECK(std::ranges::count(one.quantities(RegressionOutcome::worse), "targets solved") == 1);
   CHECK(seen(one.judged.metrics.front().comparisons.front()).p == 3 * 2 / 256.0);  // solved, time and evaluations
-  CHECK(std::ranges::count(of_six.quantities(RegressionOutcome::worse), "solved") == 0);
-  CHECK(std::ranges::count(of_six.quantities(RegressionOutcome::inconclusive), "solved") == 1);
+  CHECK(std::ranges::count(of_six.quantities(RegressionOutcome::worse), "targets solved") == 0);
+  CHECK(std::ranges::count(of_six.quantities(RegressionOutcome::inconclusive), "targets solved") == 1);
   CHECK(seen(of_six.judged.metrics.front().comparisons.front()).p == 6 * 3 * 2 / 256.0);
 }
 
@@ -265,7 +265,7 @@ TEST_CASE("no more metrics decide than share the significance") {
   const auto triple = [](SolveRecord& solve) { solve.evaluations *= 3; };
   const RegressionCheck gate = gate_of(version(1, by_evaluations), version(1, by_evaluations, triple));
   CHECK(gate.quantities(RegressionOutcome::worse) == Names{"evaluations"});
-  CHECK(gate.quantities(RegressionOutcome::worse, false) == Names{"evaluations per solved"});
+  CHECK(gate.quantities(RegressionOutcome::worse, false) == Names{"evaluations per success"});
   for (const char* plan : {R"("then": [])", R"("then": ["motion", "time"])", R"("metric": "seconds")", ""}) {
     Asked asked = of_100;
     asked.rest = fmt::format(R"(, "analysis": {{{}}})", plan);
@@ -279,7 +279,7 @@ TEST_CASE("--metric chooses of the plan's metrics those that decide, and changes
   const auto triple = [](SolveRecord& solve) { solve.evaluations *= 3; };
   const StudyResults before = version(1), after = version(1, of_100, triple);
   const RegressionCheck all = gate_of(before, after), one = gate_of(before, after, 1, {.metrics = {"solved"}});
-  CHECK(all.quantities(RegressionOutcome::worse) == Names{"evaluations per solved"});
+  CHECK(all.quantities(RegressionOutcome::worse) == Names{"evaluations per success"});
   CHECK(exit_code({all}, false) == 3);
   CHECK(one.quantities(RegressionOutcome::worse).empty());
   CHECK(one.quantities(RegressionOutcome::worse, false) == all.quantities(RegressionOutcome::worse));
@@ -455,7 +455,7 @@ TEST_CASE("a loss of a solver that repeats itself is a fact") {
                  },
                  {"mine"});
   };
-  CHECK(gate_of(with(0.5), with(0.6)).quantities(RegressionOutcome::worse) == Names{"error"});
+  CHECK(gate_of(with(0.5), with(0.6)).quantities(RegressionOutcome::worse) == Names{"position error"});
   CHECK(gate_of(with(0.5), with(0.51)).quantities(RegressionOutcome::worse).empty());
   CHECK(exit_code({gate_of(with(0.5), with(0.4))}, true) == 0);
 }
@@ -466,7 +466,7 @@ TEST_CASE("what is not decided fails a strict gate alone") {
   const auto shift = [](SolveRecord& solve) { solve.variation_deg *= 1.02; };
   const RegressionCheck gate = gate_of(version(1, few), version(2, few, shift));
   CHECK(gate.quantities(RegressionOutcome::worse).empty());
-  CHECK(gate.quantities(RegressionOutcome::inconclusive) == Names{"solved", "evaluations per solved"});
+  CHECK(gate.quantities(RegressionOutcome::inconclusive) == Names{"targets solved", "evaluations per success"});
   CHECK(gate.quantities(RegressionOutcome::not_tested)
             .empty());  // joint motion has too few targets, and the plan does not name it
   CHECK(exit_code({gate}, false) == 0);

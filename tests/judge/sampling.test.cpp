@@ -250,7 +250,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   for (Session session : sample_sessions(5)) session.id += 10, ten.push_back(session);
   StudyResults later = study(chained, other_sessions, {"A", "B", "CC"}, ten);
   CHECK(apart(times(later)) == "B");
-  CHECK_THAT(words_of_apart(later), ContainsSubstring("too few sessions in common"));
+  CHECK_THAT(words_of_apart(later), ContainsSubstring("too few sessions shared"));
   CHECK(apart(observed(later)).empty());
   later.definition.stop.seconds = 0.001;  // it ended all
   CHECK(apart(observed(later)) == "ABCC");
@@ -282,7 +282,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
         if (solve.run < 5) solve.status = Status::tolerance_missed;
       });
   CHECK(warning_text(make_samples(solves_when_busy, metric_named("seconds_per_solved")).warnings.front()) ==
-        "times of B are not compared: too little is solved in the sessions that are compared");
+        "times of B are not compared: too few targets were solved in the compared sessions");
 }
 
 TEST_CASE("What a program tells is its time, if its processor time leaves room for it") {
@@ -491,7 +491,7 @@ TEST_CASE("A number of the study's check has no name of a metric, in whatever le
   StudyResults of = study({}, as_made);
   for (const char* name : {"position_error_cm", "Joint-move", "joint motion", "answered"}) {
     of.definition.check.larger = {name};
-    CHECK_THROWS_WITH(metrics_of(of.definition), ContainsSubstring("a metric already"));
+    CHECK_THROWS_WITH(metrics_of(of.definition), ContainsSubstring("the name of a metric"));
   }
 }
 
@@ -536,7 +536,7 @@ TEST_CASE("A usual study has no doubts, and every kind has a line of at most 25 
         std::string::npos);
   CHECK(warning_text(
             {.kind = WarningKind::times_not_comparable, .solvers = {"mine"}, .detail = "the machine was busy"}) ==
-        "times of mine are not compared: the machine was busy; solve again: --out NEW");
+        "times of mine are not compared: the machine was busy; rerun with --out NEW");
 }
 
 TEST_CASE("one solve that takes most of the time decides no cost per solved target") {

@@ -31,11 +31,11 @@ ReportModel model_of_three(std::vector<double> time_of_b, bool are_times_compare
 }  // namespace
 
 TEST_CASE("of whom the first metric leaves open the first of the plan that is judged is told", "[show]") {
-  CHECK(tie_breaker_sentence(model_of_three(values_around(0.03, 0.3))) == "A is the fastest; B takes 3 times as long.");
+  CHECK(tie_breaker_sentence(model_of_three(values_around(0.03, 0.3))) == "A is fastest; B takes 3x as long.");
   CHECK(tie_breaker_sentence(model_of_three(values_around(0.01, 0.2))) ==
         "No difference in time is shown.");  // a third question would have to share the second's significance
   CHECK(tie_breaker_sentence(model_of_three(values_around(0.03, 0.3), false)) ==
-        "Time is not judged (not comparable). A needs the fewest evaluations; B takes 2 times as many.");
+        "Time is not compared (not comparable). A needs the fewest evaluations; B needs 2x as many.");
 }
 
 TEST_CASE("ratios of many are told from the least to the largest, or once", "[show]") {
@@ -49,8 +49,8 @@ TEST_CASE("ratios of many are told from the least to the largest, or once", "[sh
         make_report_model(std::vector{judged(shares(all_solved)), judged(numbers("time", "time", "ms", times))}, 0,
                           results::default_tie_breakers));
   };
-  CHECK(said(0.02) == "A is the fastest; 6 others take 2 to 10 times as long.");
-  CHECK(said(0.0999) == "A is the fastest; 6 others take 10 times as long.");
+  CHECK(said(0.02) == "A is fastest; 6 others take 2x to 10x as long.");
+  CHECK(said(0.0999) == "A is fastest; 6 others take 10x as long.");
 }
 
 TEST_CASE("one that is best alone, and what is no study, have no second question", "[show]") {
@@ -65,7 +65,7 @@ TEST_CASE("one that is best alone, and what is no study, have no second question
 TEST_CASE("the plan says what a headline goes on to", "[show]") {
   const ReportModel model = model_of_three(values_around(0.03, 0.3), true, {"evaluations", "time"});
   CHECK(tie_breaker_sentence(model).starts_with("A needs the fewest evaluations"));
-  CHECK(ranking_note(model) == "Judged by solved, then evaluations");
+  CHECK(ranking_note(model) == "Ranked by targets solved, then evaluations");
 }
 
 TEST_CASE("numbers of a headline stand behind their solvers, equal ones together", "[show]") {
@@ -76,11 +76,11 @@ TEST_CASE("numbers of a headline stand behind their solvers, equal ones together
     model.noun = "targets";
     return headline(model);
   };
-  CHECK(of({{"A", 20}, {"B", 20}, {"C", 18}}) == "A and B solved all 20 targets, C 18 (not decided).");
-  CHECK(of({{"A", 19}, {"B", 18}, {"C", 3}}) == "A solved 19 of 20 targets, B 18 (not decided); C (3) is worse.");
+  CHECK(of({{"A", 20}, {"B", 20}, {"C", 18}}) == "No clear winner: A and B solved all 20 targets, C 18.");
+  CHECK(of({{"A", 19}, {"B", 18}, {"C", 3}}) == "A solved 19 of 20 targets, B 18 (inconclusive); C (3) is worse.");
   CHECK(of({{"A", 20}, {"B", 20}, {"C", 3}}) == "A and B solved all 20 targets; C (3) is worse.");
   CHECK(of({{"A", 20}, {"B", 20}, {"C", 19}, {"D", 19}, {"E", 18}, {"F", 18}, {"G", 18}}) ==
-        "A and B solved all 20 targets, 5 others 18 to 19 (not decided).");
-  CHECK(of({{"A", 20}, {"B", 4}}) == "A (solved 20 of 20 targets) is better than B (4).");
+        "No clear winner: A and B solved all 20 targets, 5 others 18 to 19.");
+  CHECK(of({{"A", 20}, {"B", 4}}) == "A is better than B: it solved all 20 targets, B 4.");
   CHECK(of({{"A", 20}}) == "A solved all 20 targets.");
 }

@@ -40,7 +40,7 @@ inline std::vector<double> solved(int count, int n = 20) {
 
 inline judge::MetricSamples shares(std::vector<std::pair<std::string, std::vector<double>>> groups) {
   judge::MetricSamples of{.metric = "solved",
-                          .quantity = "solved",
+                          .quantity = "targets solved",
                           .quantity_kind = judge::QuantityKind::solved,
                           .better = judge::Better::larger,
                           .kind = judge::Proportions{},

@@ -44,7 +44,7 @@ TEST_CASE("what is better where most values are equal says how often", "[show]")
   for (std::size_t i = 0; i < 15; ++i) some[i] = 1 + static_cast<double>(i);
   const judge::JudgedMetric error = judged(errors({{"A", at_tolerance}, {"B", some}}));
   CHECK(comparison_text(error.comparisons.front(), error) == "better");
-  CHECK(dominance_text(error.comparisons.front()) == "better in 25 %, worse in 0 % of comparisons");
+  CHECK(dominance_text(error.comparisons.front()) == "better in 25 % and worse in 0 % of value pairs");
 }
 
 TEST_CASE("an end of an interval that p excludes says so", "[show]") {
@@ -70,7 +70,7 @@ TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
 TEST_CASE("a limit of one is one", "[show]") {
   judge::StudyResults study = judged_study().study;
   study.definition.stop = {.iterations = 1, .evaluations = 1, .seconds = 0.001};
-  CHECK(budget_text(study) == "1 iteration, 1 evaluation or 1 ms");
+  CHECK(budget_text(study) == "after 1 iteration, 1 evaluation or 1 ms");
 }
 
 TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {

@@ -53,7 +53,7 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
   for (const auto& row : results.rows) {
     const auto& solver = std::get<std::string>(row[0]);
     for (std::size_t c = 1; c < row.size(); ++c) {
-      const std::string& metric = results.columns[c].name;
+      const std::string metric = c == 1 ? "targets solved" : results.columns[c].name;
       const auto* marked = std::get_if<ValueCell>(&row[c]);
       if (std::holds_alternative<std::monostate>(row[c])) continue;
       if (marked && marked->relative_to_reference) {
@@ -62,7 +62,7 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
         const judge::Comparison comparison = judge::better_first(*find_comparison(*of, solver, "DLS"), "DLS");
         CHECK(marked->value == comparison.estimate->value);
         CHECK((marked->mark == "*") == (verdict_of(comparison) == judge::Verdict::worse));
-        CHECK(on_screen.find(number_text(marked->value, 2) + " times") != std::string::npos);
+        CHECK(on_screen.find(number_text(marked->value, 2) + "x") != std::string::npos);
         continue;
       }
       const auto group = std::ranges::find_if(
@@ -70,14 +70,14 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
       INFO(metric << " of " << solver);
       REQUIRE(group != json["groups"].end());
       const double value = marked ? marked->value : std::get<double>(row[c]);
-      CHECK((*group)[metric == "solved" ? "mean" : "median"] == value);
+      CHECK((*group)[metric == "targets solved" ? "mean" : "median"] == value);
       CHECK((*group)["unit"] == results.columns[c].unit);
       CHECK(contains(on_screen, number_text(value)));
     }
   }
-  CHECK(std::string(json["headline"]) == "DLS (solved 20 of 20 targets) is best; PSO (13) and mine (6) are worse.");
+  CHECK(std::string(json["headline"]) == "DLS is best: it solved all 20 targets, PSO 13 and mine 6.");
   for (const auto& comparison : json["findings"]) {
-    if (comparison["metric"] != "solved") continue;
+    if (comparison["metric"] != "targets solved") continue;
     const std::string first = comparison["first"], second = comparison["second"];
     INFO(first << " vs " << second);
     CHECK(
@@ -166,14 +166,14 @@ TEST_CASE("below the pairs of two solvers stands which metric decides", "[show]"
   const auto is_told = [](const ReportModel& model) {
     return terminal_report(model).find(ranking_note(model)) != std::string::npos;
   };
-  CHECK(ranking_note(two) == "Judged by effort");
+  CHECK(ranking_note(two) == "Ranked by effort");
   CHECK(is_told(two));
   CHECK(pairs_table(two).notes.front().starts_with(ranking_note(two)));
   two.verdict = "A is worse.";
   two.metrics[1].samples.warnings.push_back(
       {.kind = judge::WarningKind::time_limit_decides, .solvers = {"A"}, .detail = "slow"});
   CHECK(terminal_report(two).starts_with("A is worse.\n\n"));
-  CHECK(terminal_report(two).find("! A was stopped by the time limit") != std::string::npos);
+  CHECK(terminal_report(two).find("! A is not compared: the time limit stopped") != std::string::npos);
   CHECK(ranking_note(two).find("effort") == std::string::npos);
   CHECK(ranking_note(make_report_model({of_two("error")})).empty());
   CHECK(is_told(make_report_model(judged_study())));  // others have marks, too
@@ -266,7 +266,7 @@ TEST_CASE("of several studies each is a column, solvers in the order of the firs
 TEST_CASE("a table says no more below it than it has", "[show]") {
   const auto of = [](judge::MetricSamples samples) { return make_report_model({judged(std::move(samples))}); };
   const ReportModel of_shares = of(shares({{"A", solved(20)}, {"B", solved(9)}}));
-  CHECK(results_table(of_shares).notes.front() == "* worse than A (p < 0.05). Intervals: 95 %.");  // no medians
+  CHECK(results_table(of_shares).notes.front() == "* worse than A (p < 0.05). Brackets: 95 % intervals.");  // no medians
   CHECK(results_table(of(shares({{"A", solved(20)}, {"B", solved(20)}}))).notes.size() == 1);
   const ReportModel of_errors = of(numbers("error", "error", "mm", {{"A", solved(20)}, {"B", solved(20)}}));
   CHECK(results_table(of_errors).columns.size() == 2);  // the solver and its median
@@ -305,40 +305,42 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
   CHECK(text(costs) ==
         "solver   solved           motion\n"
         "B        100 % (84-100)   3 deg\n"
-        "A        30 % (15-52) *   0.33 times +\n"
-        "C        30 % (15-52) *   1.01 times\n"
-        "* worse and + better than B (p < 0.05, all pairs). Intervals: 95 %. Motion: multiples of B's median.\n"
-        "Multiples are on values that both solved.\n");
+        "A        30 % (15-52) *   0.33x +\n"
+        "C        30 % (15-52) *   1.01x\n"
+        "* worse and + better than B (p < 0.05, corrected). Brackets: 95 % intervals. Motion: relative to B's\n"
+        "median.\n"
+        "Ratios use only values that both solved.\n");
   std::vector<double> near = b;
   for (double& value : near) value *= 1.02;
   CHECK(contains(text(numbers("variation", "motion", "deg", {{"A", a}, {"B", b}, {"C", near}})),
-                 "C        30 % (15-52) *   1.02 times\n"));  // shown, p < 0.05, and less than 5 %
+                 "C        30 % (15-52) *   1.02x\n"));  // shown, p < 0.05, and less than 5 %
   CHECK(text(costs, {.control = "A"}) ==
         "solver   solved             motion\n"
-        "B        100 % (84-100) +   3 times *\n"
+        "B        100 % (84-100) +   3x *\n"
         "A        30 % (15-52)       1 deg\n"
-        "C        30 % (15-52)       3 times *\n"
-        "* worse and + better than A (p < 0.05). Intervals: 95 %. Motion: multiples of A's median.\n"
-        "Multiples are on values that both solved.\n");
+        "C        30 % (15-52)       3x *\n"
+        "* worse and + better than A (p < 0.05, corrected). Brackets: 95 % intervals. Motion: relative to A's\n"
+        "median.\n"
+        "Ratios use only values that both solved.\n");
   text(costs, {}, 20);
-  CHECK(contains(text(costs, {.control = "B"}), "A        30 % (15-52) *   0.33 times +\n"));
+  CHECK(contains(text(costs, {.control = "B"}), "A        30 % (15-52) *   0.33x +\n"));
   const std::string by_means = text(costs, {.test = results::AnalysisPlan::Test::means, .control = "A"});
   INFO(by_means);
   CHECK(contains(by_means, "B        100 % (84-100) +   +2.08 deg *"));
-  CHECK(contains(by_means, "Motion: differences from A's"));
+  CHECK(contains(by_means, "Motion: differences"));
   costs.groups[2].sample = judge::ExcludedSample{.reason = judge::ExclusionReason::not_comparable,
                                                  .values = std::get<judge::Sample>(costs.groups[2].sample).values};
   costs.groups[0].sample = judge::Sample{};
   CHECK(text(costs).find("A        30 % (15-52) *   -") != std::string::npos);  // it solved nothing that B did
-  CHECK(contains(text(costs), "Motion: medians of the values that each solved"));
+  CHECK(contains(text(costs), "Motion: median over the values that each solver solved"));
   // C is worse than B, and not shown to be worse than the first.
   std::vector<double> wide(20, 1);
   std::fill_n(wide.begin(), 9, 50);
   const ReportModel second = make_report_model(
       {judged(numbers("error", "error", "mm", {{"A", wide}, {"B", b}, {"C", values_around(6, 0.5)}}))});
   CHECK(
-      contains(to_text(results_table(second)), "C        6 mm (4.7-7.7) *\nMedians (quartiles). * worse than another"));
-  CHECK(contains(studies_table({second}, {"one"}).notes[0], "* worse than another solver (one)"));
+      contains(to_text(results_table(second)), "C        6 mm (4.7-7.7) *\nMedians (quartiles). * worse than some"));
+  CHECK(contains(studies_table({second}, {"one"}).notes[0], "* worse than some other solver (one)"));
 }
 
 TEST_CASE("where only the reference was timed on a busy machine, it alone has the mark", "[show]") {
@@ -464,7 +466,7 @@ TEST_CASE("the moving arm has the first run of each solver, and no text that end
   CHECK(points.size() > 150);
   CHECK(points.size() <= 200);
   for (const int point : {1, 1000}) CHECK(points.contains(point));
-  CHECK(contains(of_long["which"], fmt::format("Shown are {} of 1000 targets", points.size())));
+  CHECK(contains(of_long["which"], fmt::format("Only {} of 1000 targets are shown", points.size())));
   study.definition.arm.clear();
   CHECK_FALSE(animation_json(study, study.labels));
 }

@@ -106,12 +106,12 @@ TEST_CASE("what stands in place of a number has its own column in files of numbe
   CHECK(to_text(table) ==
         "solver   solved               motion\n"
         "A        100 % (96-100)       339 deg\n"
-        "B        0.5 % (0.1-1.25) *   1.6 times *\n"
-        "C        -                    1.03 times\n"
+        "B        0.5 % (0.1-1.25) *   1.6x *\n"
+        "C        -                    1.03x\n"
         "D        -                    -20 deg\n");
   CHECK(
       to_latex(table).find(
-          "A & 100 & {\\scriptsize (96--100)} & 339 deg \\\\\nB & 0.5 & {\\scriptsize (0.1--1.25)}\\rlap{\\,\\scriptsize {*}} & 1.6 times\\rlap{\\,\\scriptsize {*}} \\\\") !=
+          "A & 100 & {\\scriptsize (96--100)} & 339 deg \\\\\nB & 0.5 & {\\scriptsize (0.1--1.25)}\\rlap{\\,\\scriptsize {*}} & 1.6x\\rlap{\\,\\scriptsize {*}} \\\\") !=
       std::string::npos);
   CHECK(contains(to_latex(table), "\\multicolumn{2}{c@{\\hspace{14pt}}}{solved {[}\\%{]}}"));
   CHECK(contains(to_latex(table), "\\caption{\\textnormal{Results}}"));

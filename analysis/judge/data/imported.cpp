@@ -26,8 +26,8 @@ StudyResults read_archive(const std::string& robot) {
   constexpr std::string_view arms[]{"franka_panda", "kuka_iiwa14", "ur5e"};
   if (std::ranges::find(arms, robot) == std::end(arms))
     throw std::invalid_argument(fmt::format(
-        "--beside {}: it has {}, and the study's arm is {}; expected one of these, or measure the libraries "
-        "on your arm: solvers/programs/install.sh, then solvers/programs/libraries.sh {}",
+        "--beside {}: the archive has {}, but the study's arm is {}; expected one of these arms. To measure the "
+        "libraries on your arm: solvers/programs/install.sh, then solvers/programs/libraries.sh {}",
         archive_name, fmt::join(arms, ", "), robot, robot));
   const base::CsvTable rows = published::table(archive_name, robot);
   const auto statuses = names_of(Status());
@@ -62,7 +62,7 @@ void require_same_study(const StudyResults& theirs, const StoredStudy& study) {
   const std::string difference = difference_in_solves(theirs.definition.json, study.definition.json);
   if (!difference.empty())
     throw std::invalid_argument(
-        fmt::format("--beside: another study, there and here: {}; expected the same targets and limits", difference));
+        fmt::format("--beside: the studies differ in: {}; expected the same targets and limits", difference));
 }
 
 void add_imported(StudyResults& study, const StudyResults& theirs) {
@@ -94,7 +94,7 @@ void add_imported(StudyResults& study, const StudyResults& theirs) {
       study.solves.push_back(solve);
     }
   }
-  if (study.imported.labels.empty()) throw std::invalid_argument("--beside: there is no other solver than here");
+  if (study.imported.labels.empty()) throw std::invalid_argument("--beside: the other store has no solver that this study lacks");
   if (!theirs.solves.empty() && theirs.solves.front().target != 0) require_same_targets(study);
 }
 

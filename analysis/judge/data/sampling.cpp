@@ -327,7 +327,7 @@ std::vector<Metric> metrics_of(const StudySpec& study) {
     for (const std::string& name : *names) {
       for (const Metric& known : all)
         if (is_metric_name(known, name))
-          throw std::invalid_argument(fmt::format("[check] has the number {}, which is a metric already", name));
+          throw std::invalid_argument(fmt::format("[check] reports a number \"{}\", which is the name of a metric; expected another name", name));
       all.push_back({name, name, name, "", MetricKind::cost, QuantityKind::other, 0, 0, WhenReported::always, nullptr,
                      all.size() - rows.size(), better});
     }
@@ -354,7 +354,7 @@ MetricSamples make_samples(const StudyResults& study, const Metric& metric) {
       is_time_metric(metric) ? make_samples_by_session(study, metric) : make_samples_by_target(study, metric);
   samples.warnings = metric_warnings(study, metric);
   Warning unsolved{.kind = WarningKind::times_not_comparable,
-                   .detail = "too little is solved in the sessions that are compared"};
+                   .detail = "too few targets were solved in the compared sessions"};
   for (Group& group : samples.groups) {  // a group with a warning is described, but not compared
     const bool has_warning = std::ranges::any_of(samples.warnings, [&](const Warning& warning) {
       return warning.solvers.empty() || std::ranges::count(warning.solvers, group.name) > 0;

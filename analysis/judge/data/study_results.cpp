@@ -169,8 +169,8 @@ void require_same_targets(const StudyResults& study) {
     if (here.target == solve.target && (here.start == solve.start || is_own(solve))) continue;
     const auto label = [&](const SolveSummary& each) { return study.labels[static_cast<std::size_t>(each.label)]; };
     throw std::invalid_argument(fmt::format(
-        "study {}, run {}, point {}: {} and {} had different {}; expected one task for all, so solve it again into "
-        "another folder",
+        "study {}, run {}, point {}: {} and {} had different {}; expected the same task for all solvers; rerun with "
+        "--out NEW",
         study.name, solve.run, solve.point, label(here), label(solve),
         here.target == solve.target ? "starts" : "targets"));
   }
@@ -202,7 +202,7 @@ std::string timed_calls_text(const StudyResults& study) {
   if (states.empty()) return "";
   if (states.contains("first")) return "first calls on a target";
   if (states.contains("hot")) return "second calls on a target";
-  return "calls of runs in a row";
+  return "calls in the order of the runs";
 }
 
 SessionSets session_sets(const StudyResults& study) {

@@ -117,7 +117,7 @@ void add_budget_warning(Warnings& warnings, const StudyResults& study) {
                       .solvers = {most, fewest},
                       .count = many,
                       .total = few,
-                      .detail = fmt::format("budgets differ: {:.0f} and {:.0f} evaluations a solve", many, few)});
+                      .detail = fmt::format("budgets differ: {:.0f} and {:.0f} evaluations per solve", many, few)});
 }
 
 // Adds a warning about solves that were made under another plan. The stored plan counts, because a command may judge by
@@ -149,7 +149,7 @@ std::string reason_against_times(const StudyResults& study, const SessionSets& s
   if (std::string reason = unusable_timing(study); !reason.empty()) return reason;
   const auto compared = std::ssize(sessions.comparable);
   if (compared >= min_sessions) return "";
-  return fmt::format("{}, and {} are the fewest", base::counted(compared, "sessions"), min_sessions);
+  return fmt::format("only {}; at least {} are needed", base::counted(compared, "sessions"), min_sessions);
 }
 
 // Returns whether more than a tenth of the solves of an external solver have no self-reported time.
@@ -194,13 +194,13 @@ std::vector<Warning> time_warnings(const StudyResults& study) {
   add_for(study.imported.labels, "solved " + study.imported.origin);
   std::vector<std::string> in_batches, silent;
   for (const auto& [solver, timing] : study.batch_timings) in_batches.push_back(solver);
-  add_for(std::move(in_batches), "asked in batches");
+  add_for(std::move(in_batches), "solved in batches");
   for (const std::string& solver : study.labels)
     if (reports_no_times(study.of(solver))) silent.push_back(solver);
   // If no solver reports times, all times include messages alike.
-  if (silent.size() < study.labels.size()) add_for(std::move(silent), "messages included");
+  if (silent.size() < study.labels.size()) add_for(std::move(silent), "they include message passing");
   add_for(measured_apart(study, sessions.complete),
-          "too few sessions in common with the others; solve all again: --out NEW");
+          "too few sessions shared with the others; rerun everything with --out NEW");
   add_for(measured_apart(study, sessions.quiet), "the machine was busy");
   return warnings;
 }
@@ -235,7 +235,7 @@ std::vector<Warning> evaluation_warnings(const StudyResults& study) {
 
 std::vector<Warning> study_warnings(const StudyResults& study) {
   Warnings warnings;
-  const Warning missing{.kind = WarningKind::runs_missing, .detail = "runs missing or without some targets"};
+  const Warning missing{.kind = WarningKind::runs_missing, .detail = "runs are missing or lack some targets"};
   add_counts(warnings, study, missing, [&](const std::string& solver) {
     return std::pair(study.definition.runs - std::ssize(complete_runs_of(study, solver)), study.definition.runs);
   });
@@ -262,35 +262,37 @@ std::vector<Warning> study_warnings(const StudyResults& study) {
 std::string warning_text(const Warning& warning) {
   // The sentences stand in the order of WarningKind.
   static constexpr std::string_view sentences[]{
-      "the plan was changed after {share} solves were made{of_whom}: {what}",
+      "the analysis plan was changed after {share} solves had been made{of_whom}: {what}",
       "{share} {what}{of_whom}",
       "{share} {what}{of_whom}",
-      "ignored: {solves} of another version ({who})",
-      "{share} solves claimed an error that is wrong, and do not count as solved ({who})",
-      "{who} {was} stopped by the time limit in {share} solves, so not compared: {what}{to_do}",
+      "{solves} made by another version {was} ignored ({who})",
+      "{share} solves of {who} reported a wrong error and count as failed",
+      "{who} {are} not compared: the time limit stopped {share} solves ({what}{to_do})",
       "{what} ({who})",
-      "evaluations are not counted by ikbench, so not compared ({who})",
-      "{share} answers outside the joint limits ({who})",
+      "evaluations of {who} are not compared: ikbench cannot count them",
+      "{share} answers of {who} violate joint limits",
       "{share} {what}{of_whom}",
       "times{of_who} are not compared: {what}{to_do}",
-      "{share} targets of a run out of reach, so no solver can solve them",
-      "{who} gave the same {what} {count} times, or its spread was rounded away: not tested",
-      "few values decide the {what} of {who}; such pairs are left open",
-      "{first} is better than {last} by ranks, though its {what} is worse",
-      "leaving rows out favours {who}: solvers lack different shares of their values, {what}",
+      "{share} targets per run are unreachable: no solver can solve them",
+      "{who} {are} not tested: all {count} values are equal, or rounding removed their spread",
+      "a few values dominate the {what} of {who}: {its} pairs are inconclusive",
+      "{first} ranks better than {last} although its {what} is worse",
+      "leaving rows out may favour {who}: {what} of the values are missing, depending on the group",
       "{who} have the same value in every block, as if one measurement had been copied"};
   std::string_view sentence = sentences[static_cast<std::size_t>(warning.kind)];
   if (warning.kind == WarningKind::deterministic && warning.detail.empty())
-    sentence = "{who} gave the same answers in every run, which count as one";
+    sentence = "{who} {are} deterministic: {its} equal runs count as one observation";
   const std::string names = names_of(warning.solvers, ", "),
                     share = fmt::format("{:.0f} of {:.0f}", warning.count, warning.total);
+  const bool is_one = warning.solvers.size() == 1;
   const auto if_any = [&](const char* before, const char* after) {
     return names.empty() ? "" : before + names + after;
   };
   return fmt::format(fmt::runtime(sentence), fmt::arg("who", names), fmt::arg("of_whom", if_any(" (", ")")),
                      fmt::arg("of_who", if_any(" of ", "")), fmt::arg("share", share), fmt::arg("what", warning.detail),
-                     fmt::arg("was", warning.solvers.size() == 1 ? "was" : "were"),
-                     fmt::arg("to_do", warning.detail == "the machine was busy" ? "; solve again: --out NEW" : ""),
+                     fmt::arg("are", is_one ? "is" : "are"), fmt::arg("its", is_one ? "its" : "their"),
+                     fmt::arg("was", warning.count == 1 ? "was" : "were"),
+                     fmt::arg("to_do", warning.detail == "the machine was busy" ? "; rerun with --out NEW" : ""),
                      fmt::arg("count", std::llround(warning.count)),
                      fmt::arg("solves", counted(std::llround(warning.count), "solves")),
                      fmt::arg("first", names.empty() ? names : warning.solvers.front()),

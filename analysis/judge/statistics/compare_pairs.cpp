@@ -477,7 +477,7 @@ std::size_t testable(std::vector<std::vector<Pair>>& members, double significanc
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
-  constexpr std::array<std::string_view, 5> names{"better", "worse", "same", "not decided", "not tested"};
+  constexpr std::array<std::string_view, 5> names{"better", "worse", "same", "inconclusive", "not tested"};
   return names[static_cast<std::size_t>(verdict)];
 }
 
