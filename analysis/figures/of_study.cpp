@@ -36,8 +36,9 @@ std::string observation_of(const StudyResults& study, const Metric& metric) {
 }
 
 std::string caption_of_boxes(std::string_view quantity, std::string_view observation) {
-  return fmt::format("Distribution of {}. Each dot is {}; boxes show quartiles and median, whiskers the smallest and largest value.",
-                     quantity, observation);
+  return fmt::format(
+      "Distribution of {}. Each dot is {}; boxes show quartiles and median, whiskers the smallest and largest value.",
+      quantity, observation);
 }
 
 // None where solvers solved different targets, and so their values do not compare.
@@ -126,7 +127,8 @@ std::optional<Figure> by_point_of(const JudgedStudy& judged, std::string_view co
   if (!is_path(judged.study)) return std::nullopt;
   const auto [average, name] = average_that_decides(judged.study);
   const Metric& metric = metric_named(column);
-  const std::string caption = fmt::format("{} {} at each point of the path.", name == "mean" ? "Mean" : "Median", metric.name);
+  const std::string caption =
+      fmt::format("{} {} at each point of the path.", name == "mean" ? "Mean" : "Median", metric.name);
   return curves(about_of(judged.study, metric, caption), "point", by_point(judged.study, column, look, average));
 }
 
@@ -165,8 +167,9 @@ std::optional<Figure> metric_boxes(const JudgedStudy& judged, const Look& look) 
 
 std::optional<Figure> error_by_iteration(const JudgedStudy& judged, const Look& look) {
   const auto [average, name] = average_that_decides(judged.study);
-  return curves(about_of(judged.study, metric_named(error), fmt::format("{} position error after each iteration.", name == "mean" ? "Mean" : "Median")), "iteration",
-                by_iteration(judged.study, look, average));
+  return curves(about_of(judged.study, metric_named(error),
+                         fmt::format("{} position error after each iteration.", name == "mean" ? "Mean" : "Median")),
+                "iteration", by_iteration(judged.study, look, average));
 }
 
 const JudgedMetric& deciding(const JudgedStudy& judged) { return judged.metrics[judged.primary]; }
@@ -193,24 +196,28 @@ std::optional<Figure> joints(const JudgedStudy& judged, const Look& look) {
 constexpr KindOfFigure all_kinds[]{
     {"overview", "position error against joint motion",
      [](auto& judged, auto& look) { return overview_of(judged, look, [](Dot&) {}); }},
-    {"error-boxes", "position error of each solver", [](auto& judged, auto& look) { return boxes_of(judged, error, look); }},
+    {"error-boxes", "position error of each solver",
+     [](auto& judged, auto& look) { return boxes_of(judged, error, look); }},
     {"error-shares", "with a tolerance: share of targets reached within an error", error_shares},
     {"time-boxes", "time of each solver, where motion-boxes are drawn and all times are compared",
      [](auto& judged, auto& look) { return if_timed(boxes_of, judged, look); }},
     {"motion-boxes", "without a tolerance, or with start = \"previous\": the joint motion of each solver",
      [](auto& judged, auto& look) { return boxes_of(judged, motion, look); }},
     {"metric-boxes", "the plan's metric, if no other figure shows it", metric_boxes},
-    {"error-by-iteration", "if solves have a trace: median error, or mean error if the plan compares means", error_by_iteration},
+    {"error-by-iteration", "if solves have a trace: median error, or mean error if the plan compares means",
+     error_by_iteration},
     {"error-by-point", "along a path: median error, or mean error if the plan compares means",
      [](auto& judged, auto& look) { return by_point_of(judged, error, look); }},
     {"motion-by-point", "along a path: joint motion",
      [](auto& judged, auto& look) { return by_point_of(judged, motion, look); }},
-    {"time-by-point", "along a path: time", [](auto& judged, auto& look) { return if_timed(by_point_of, judged, look); }},
+    {"time-by-point", "along a path: time",
+     [](auto& judged, auto& look) { return if_timed(by_point_of, judged, look); }},
     {"solved-by-evaluations", "with a tolerance: share of targets solved within a number of evaluations",
      [](auto& judged, auto& look) { return solved_by(judged, "evaluations", "a number of evaluations", look); }},
     {"solved-by-time", "with a tolerance, if times are compared: share of targets solved within a time",
      [](auto& judged, auto& look) { return solved_by(judged, time, "a time", look); }},
-    {"ranks", "3 solvers or more, compared by ranks, without a control: mean ranks; bars join pairs without a difference",
+    {"ranks",
+     "3 solvers or more, compared by ranks, without a control: mean ranks; bars join pairs without a difference",
      [](auto& judged, auto& look) { return ranks_of(deciding(judged), drawn_solvers(judged.study, look), look); }},
     {"differences", "if pairs are tested and not all are equal: their intervals and verdicts",
      [](auto& judged, auto& look) {
@@ -349,13 +356,14 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
   for (const Comparison& pair : pairs) rows.push_back(interval_row(pair, unit, labels));
   const bool are_ratios = pairs.back().scale == EffectScale::ratio;
   const std::string effect = fmt::format("{} of {}", are_ratios ? "ratio" : "difference", samples.quantity);
-  return differences({.name = "differences",
-                      .caption = fmt::format(
-                          "Pairwise {}, with intervals that hold for all pairs at once. Right: the verdict on the first solver.{}",
-                          effect, is_only_first ? fmt::format(" Only pairs with {} are drawn.", shown.front()) : ""),
-                      .quantity = effect,
-                      .unit = drawn_name(is_proportion(samples), unit, are_ratios)},
-                     rows, are_ratios);
+  return differences(
+      {.name = "differences",
+       .caption = fmt::format(
+           "Pairwise {}, with intervals that hold for all pairs at once. Right: the verdict on the first solver.{}",
+           effect, is_only_first ? fmt::format(" Only pairs with {} are drawn.", shown.front()) : ""),
+       .quantity = effect,
+       .unit = drawn_name(is_proportion(samples), unit, are_ratios)},
+      rows, are_ratios);
 }
 
 namespace {
@@ -471,16 +479,21 @@ std::optional<Figure> ranks_of(const JudgedMetric& judged, const std::vector<std
   if (solvers.size() < 3) return std::nullopt;
   const auto [rows, have_all_blocks, n] = rank_rows(samples, pairs, solvers, look);
   About about{.name = "ranks", .quantity = "mean rank of " + samples.quantity};
-  about.caption = fmt::format(
-      "Mean ranks of {} {}; 1 is best. Bars join pairs without a significant difference (adjusted p < {}).", samples.quantity,
-      have_all_blocks ? fmt::format("in {} blocks", n) : "expected from one value of each solver (1 plus the others' A12)",
-      metric.plan.significance);
+  about.caption =
+      fmt::format("Mean ranks of {} {}; 1 is best. Bars join pairs without a significant difference (adjusted p < {}).",
+                  samples.quantity,
+                  have_all_blocks ? fmt::format("in {} blocks", n)
+                                  : "expected from one value of each solver (1 plus the others' A12)",
+                  metric.plan.significance);
   // Shares are nearly all tied, which the critical difference does not allow for.
   const bool has_ruler = have_all_blocks && !are_shares && metric.plan.significance == 0.05;
   const double ruler = has_ruler ? critical_difference(solvers.size(), n) : nowhere;
   if (ruler > 0)
-    about.caption += fmt::format(" CD: Nemenyi's critical difference, {:.3g} (p < 0.05), only for orientation: bars do not depend on it.", ruler);
-  if (!without.empty()) about.caption += fmt::format(" Left out, because not compared with all: {}.", names_of(without));
+    about.caption += fmt::format(
+        " CD: Nemenyi's critical difference, {:.3g} (p < 0.05), only for orientation: bars do not depend on it.",
+        ruler);
+  if (!without.empty())
+    about.caption += fmt::format(" Left out, because not compared with all: {}.", names_of(without));
   return ranks(about, rows, ruler);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <set>
 #include <string_view>
@@ -64,8 +65,8 @@ std::string not_comparable_text(const JudgedMetric& judged, std::string reason) 
   return reason;
 }
 
-// Returns why pairs of these solvers are not tested: "8 runs; at least 10 needed", "the machine was busy". Empty if they
-// have several reasons.
+// Returns why pairs of these solvers are not tested: "8 runs; at least 10 needed", "the machine was busy". Empty if
+// they have several reasons.
 std::string reason_not_tested(const ReportModel& model, const JudgedMetric& judged, const Names& solvers) {
   std::set<std::string> reasons;
   const std::set<std::string_view> names(solvers.begin(), solvers.end());
@@ -80,6 +81,12 @@ std::string reason_not_tested(const ReportModel& model, const JudgedMetric& judg
 }
 
 std::string in_brackets(const std::string& text) { return text.empty() ? "" : fmt::format(" ({})", text); }
+
+// Returns "PSO 88"; "LM 0.1 (88)", since two numbers in a row would read as one.
+std::string with_number(const std::string& name, const std::string& number) {
+  const bool ends_with_digit = std::isdigit(static_cast<unsigned char>(name.back())) != 0;
+  return ends_with_digit ? fmt::format("{} ({})", name, number) : fmt::format("{} {}", name, number);
+}
 
 // The solvers of a second question: those that no other is shown to beat or that are not separated, the worse ones, and
 // those that are not tested.
@@ -113,6 +120,16 @@ Ranking ranking_of(const std::vector<Statement>& statements) {
     }
   }
   return ranking;
+}
+
+// True if the sentence of a second question names the best solvers.
+bool names_winner(const ReportModel& model, const HeadlineQuestion& question) {
+  const PairIndex pairs(model.metrics[question.metric], question.solvers);
+  const Ranking ranking = ranking_of(question.statements);
+  const auto is_better = [&](const std::string& name, const std::string& loser) {
+    return pairs.is_better(name, loser);
+  };
+  return !ranking.losers.empty() && holds_for_pairs(ranking.best, ranking.losers, is_better);
 }
 
 using SolverRatios = std::vector<std::pair<std::string, double>>;  // by solver
@@ -187,11 +204,12 @@ class QuestionTeller {
   bool is_against_control() const {
     return question_.statements.front().against == Names{judged_.plan.control} && model_.order.size() > 2;
   }
-  // True if shares of solved targets differ, but no pair of solvers does.
+  // True if shares of solved targets differ, but no pair of solvers does, and no second question names a winner.
   bool is_without_winner() const {
     const Statement& only = question_.statements.front();
     const bool is_open = only.kind == Kind::inconclusive || only.kind == Kind::none_better;
     if (question_.statements.size() > 1 || !is_open || !is_solved(judged_) || is_against_control()) return false;
+    if (model_.questions.size() > 1 && names_winner(model_, model_.questions.back())) return false;
     const double first = descriptives_of(only.solvers.front()).mean;
     return std::ranges::any_of(only.solvers,
                                [&](const std::string& name) { return descriptives_of(name).mean != first; });
@@ -271,7 +289,7 @@ class QuestionTeller {
   // Returns "PSO 88 and mine 54"; for many solvers "7 others 12 to 88".
   std::string lower_counts(Names names, std::string_view last) {
     if (names.size() <= max_named) {
-      for (std::string& name : names) name += ' ' + number(name);
+      for (std::string& name : names) name = with_number(name, number(name));
       return listed(names, last);
     }
     const std::string highest = number(names.front()), lowest = number(names.back());
@@ -363,21 +381,29 @@ class QuestionTeller {
                        are_all_equal(solvers) ? ": all values are equal" : "");
   }
   // Returns "PSO came closest (median position error 175 mm; DE 183, inconclusive)".
-  std::string closest_solver(const Names& solvers) {
+  std::string closest_solver(Names solvers) {
+    std::ranges::stable_sort(solvers, {}, [&](const std::string& name) {
+      return displayed_average(judged_, index_of(judged_.samples, name)).value;
+    });
     const std::string closest = number(solvers.front());
-    Names others(solvers.begin() + 1, solvers.end());
-    return fmt::format("{} came closest ({}; {}, inconclusive)", solvers.front(), closest,
-                       lower_counts(std::move(others), " and "));
+    Names others;
+    for (std::size_t i = 1; i < solvers.size(); ++i) others.push_back(with_number(solvers[i], number(solvers[i])));
+    std::string text = listed(others);
+    if (others.size() > max_named)
+      text = fmt::format("{} others {} to {}", others.size(), number(solvers[1]), number(solvers.back()));
+    return fmt::format("{} came closest ({}; {}, inconclusive)", solvers.front(), closest, text);
   }
   std::string best_of_two(const Statement& statement) {
     const std::string &best = statement.solvers.front(), &other = statement.against.front();
     const bool is_by_ranks =
         std::ranges::count(judged_.samples.warnings, WarningKind::ranks_disagree, &Warning::kind) > 0;
-    const std::string text = fmt::format("{} {} better than {}{}: ", best, is_by_ranks ? "ranks" : "is", other,
-                                         below_margin(statement.is_below_margin));
+    std::string is_better = is_by_ranks ? "ranks better" : "is better";
+    if (is_about_closest()) is_better = "came closer";
+    const std::string text =
+        fmt::format("{} {} than {}{}: ", best, is_better, other, below_margin(statement.is_below_margin));
     if (is_solved(judged_)) {
       const std::string highest = highest_count(best);
-      return fmt::format("{}it {}, {} {}", text, highest, other, number(other));
+      return fmt::format("{}it {}, {}", text, highest, with_number(other, number(other)));
     }
     const std::string first_number = number(best);
     return fmt::format("{}{} against {}", text, first_number, number(other));
@@ -409,7 +435,8 @@ class QuestionTeller {
     if (is_first) first_named_ = texts.front();
     for (std::string& text : texts) {
       const bool is_known = !std::isnan(displayed_average(judged_, index_of(judged_.samples, text)).value);
-      if (is_first || is_known) text += ' ' + value_text(text, is_first && &text == &texts.front());
+      const bool has_unit = is_first && &text == &texts.front();
+      if (is_first || is_known) text = with_number(text, value_text(text, has_unit));
     }
     if (!is_first) return fmt::format("Not tested{}: {}{}", against, names_of(texts), in_brackets(reason));
     return fmt::format("Not tested{}{}. {}: {}", against, reason.empty() ? "" : ": " + reason, quantity_as_title(),

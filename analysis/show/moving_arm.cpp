@@ -108,7 +108,8 @@ std::optional<std::string> animation_json(const StudyResults& study, const std::
   if (solvers.empty()) return std::nullopt;
   const bool is_path = !study.definition.draws_targets, are_all = *places.rbegin() + 1 == places.size();
   const std::string which =
-      are_all ? "" : fmt::format(" Only {} of {} targets are shown, evenly spaced.", places.size(), *places.rbegin() + 1);
+      are_all ? ""
+              : fmt::format(" Only {} of {} targets are shown, evenly spaced.", places.size(), *places.rbegin() + 1);
   std::string text = base::text_of(
       Json{{"arm", drawn(arm->chain)}, {"is_path", is_path}, {"which", which}, {"solvers", std::move(solvers)}});
   boost::replace_all(text, "<", "\\u003c");  // no text ends the element

@@ -183,7 +183,9 @@ std::string rejections_text(const StudyResults& study) {
     for (const auto& [fault, count] : all) faults.add(fault, fmt::format("{} {}", label, count));
   if (faults.entries.size() > 10)
     faults.entries = {{base::counted(std::ssize(faults.entries), "faults"), {"listed in solves.csv"}}};
-  return faults.entries.empty() ? "" : fmt::format("Rejected by the check: {}.", fmt::join(faults.formatted("{} ({})"), "; "));
+  return faults.entries.empty()
+             ? ""
+             : fmt::format("Rejected by the check: {}.", fmt::join(faults.formatted("{} ({})"), "; "));
 }
 
 const std::string& title_of(const StudyResults& study) {

@@ -53,8 +53,7 @@ Table solves_table(const Report& report) {
 // Returns the medians of the numbers that solvers report under names of their own.
 Table extras_table(const Report& report) {
   const StudyResults& study = report.study;
-  Table table{
-      .name = "extras", .caption = "Solvers' own numbers (medians)", .columns = named_columns({"solver"})};
+  Table table{.name = "extras", .caption = "Solvers' own numbers (medians)", .columns = named_columns({"solver"})};
   for (const auto& [name, by_solver] : study.extras) table.columns.push_back({name});
   for (const std::string& solver : report.model.solvers()) {
     std::vector<Cell> row{solver};
@@ -110,8 +109,7 @@ std::vector<Table> setup_tables(const Report& report) {
         fmt::format("{} per run, {}{}", definition.points, with_spaces(definition.path),
                     definition.draws_targets ? ", redrawn for each run" : ""));
     add(of_study, "search", with_spaces(name_of(definition.search)));
-    add(of_study, "start",
-        definition.is_chained() ? "the previous answer" : with_spaces(name_of(definition.start)));
+    add(of_study, "start", definition.is_chained() ? "the previous answer" : with_spaces(name_of(definition.start)));
     add(of_study, "timed calls", judge::timed_calls_text(study));
     add(of_study, "candidates outside limits", with_spaces(name_of(definition.bounds)));
     add(of_study, "answers outside limits", std::string(name_of(definition.limits)));
@@ -177,8 +175,7 @@ std::vector<Blocks> report_sections(const Report& report) {
       return std::get<std::string>(row[0]) == report.model.primary().samples.quantity;
     };
     all.visible_rows = static_cast<std::size_t>(std::ranges::count_if(all.rows, is_first));
-    if (report.model.primary().plan.test == results::AnalysisPlan::Test::means)
-      add("Omnibus tests", {std::move(all)});
+    if (report.model.primary().plan.test == results::AnalysisPlan::Test::means) add("Omnibus tests", {std::move(all)});
   }
   warnings.insert(warnings.end(), report.extra_warnings.begin(), report.extra_warnings.end());
   add("Warnings", {warnings.begin(), warnings.end()});

@@ -117,7 +117,8 @@ Table loop_table(const StudyResults& study, const std::vector<std::string>& solv
       "Steps: movement of one revolute joint between two targets. Late: solved after the period, or not at all."};
   if (!is_all_timed) table.notes.emplace_back("Lateness is not known for parallel solves and debug builds.");
   if (!unlimited.empty())
-    table.notes.push_back(fmt::format("Never too fast, because the velocity limit is not known: {}.", listed(unlimited)));
+    table.notes.push_back(
+        fmt::format("Never too fast, because the velocity limit is not known: {}.", listed(unlimited)));
   return table;
 }
 
@@ -260,8 +261,7 @@ ReportModel make_report_model(const JudgedStudy& judged) {
                         {"Imported results", imported_table(judged.study, model.solvers())},
                         {"In batches", batches_table(judged.study)}};
   model.noun = definition.compares_runs() ? "runs" : "targets";
-  if (definition.stop.only_time_limits())
-    model.time_limit = number_text(1000 * definition.stop.seconds) + " ms";
+  if (definition.stop.only_time_limits()) model.time_limit = number_text(1000 * definition.stop.seconds) + " ms";
   model.named_metrics = names_in_plan(definition).size();
   for (JudgedMetric& metric : model.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.samples.unit);

@@ -389,8 +389,8 @@ Column result_head(const ReportModel& model, const JudgedMetric& judged) {
 std::string how_p_is_adjusted(const ReportModel& model) {
   const std::string metrics =
       model.named_metrics == 1 ? "" : fmt::format(" and by the {} metrics that the plan names", model.named_metrics);
-  return fmt::format("p is multiplied by the number of pairs tested in its metric{}; intervals hold for all pairs at once.",
-                     metrics);
+  return fmt::format(
+      "p is multiplied by the number of pairs tested in its metric{}; intervals hold for all pairs at once.", metrics);
 }
 
 }  // namespace
@@ -428,7 +428,8 @@ Table results_table(const ReportModel& model, bool is_brief) {
 }
 
 Table studies_table(const std::vector<ReportModel>& studies, const std::vector<std::string>& names) {
-  Table table{.name = "studies", .caption = "The deciding metric of each study", .columns = {{"solver"}}, .is_of_study = false};
+  Table table{
+      .name = "studies", .caption = "The deciding metric of each study", .columns = {{"solver"}}, .is_of_study = false};
   NamesByPhrase quantities, references;  // studies by quantity, and by reference
   std::set<std::string> all_marks;
   for (std::size_t s = 0; s < studies.size(); ++s) {
@@ -554,7 +555,8 @@ Table descriptives_table(const ReportModel& model) {
                                    "geometric mean)"
                                  : "",
                              is_any_share ? " Interval: Wilson score." : "")};
-  if (is_any_missing) table.notes.emplace_back("missing: number of missing values; a solver that lacks values is not tested.");
+  if (is_any_missing)
+    table.notes.emplace_back("missing: number of missing values; a solver that lacks values is not tested.");
   return table;
 }
 

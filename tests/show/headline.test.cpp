@@ -84,3 +84,70 @@ TEST_CASE("numbers of a headline stand behind their solvers, equal ones together
   CHECK(of({{"A", 20}, {"B", 4}}) == "A is better than B: it solved all 20 targets, B 4.");
   CHECK(of({{"A", 20}}) == "A solved all 20 targets.");
 }
+
+TEST_CASE("a headline says who wins, over whom, and what is unsure", "[show]") {
+  using Shares = std::vector<std::pair<std::string, int>>;
+  using Errors = std::vector<std::pair<std::string, std::vector<double>>>;
+  const auto shares_of = [](const Shares& solvers) {
+    Errors groups;
+    for (const auto& [name, count] : solvers) groups.emplace_back(name, solved(count, 100));
+    return shares(std::move(groups));
+  };
+  const auto times_of = [](const Shares& solvers, double slower) {
+    Errors groups;
+    double middle = 0.01;
+    for (const auto& [name, count] : solvers) {
+      groups.emplace_back(name, values_around(middle, 0.2));
+      middle *= slower;
+    }
+    judge::MetricSamples times = numbers("time", "time", "ms", groups);
+    times.is_paired = true;
+    return times;
+  };
+  std::string all;
+  const auto add = [&](const std::string& what, ReportModel model, const std::string& time_limit = "") {
+    model.noun = "targets";
+    model.time_limit = time_limit;
+    all += fmt::format("{}:\n  {}\n", what, headline(model));
+  };
+  const auto with_times = [&](const Shares& solvers, double slower) {
+    return make_report_model({judged(shares_of(solvers)), judged(times_of(solvers, slower))}, 0,
+                             results::default_tie_breakers);
+  };
+  const Shares many{{"LM", 100}, {"DLS", 100}, {"Newton", 100}, {"SLSQP", 99}, {"DE", 43}, {"PSO", 35}, {"IK-BA", 9}};
+  const Errors far{{"PSO", values_around(175, 1)}, {"DE", values_around(183, 1)}, {"IK-BA", values_around(900, 0.2)}};
+  const auto nothing_solved = [&](const Errors& errors) {
+    Shares none;
+    for (const auto& [name, values] : errors) none.emplace_back(name, 0);
+    judge::MetricSamples samples = numbers("error", "position error", "mm", errors);
+    return make_report_model({judged(shares_of(none)), judged(std::move(samples))}, 1);
+  };
+  const auto of_file = [](Errors groups, bool is_paired) {
+    judge::MetricSamples samples = numbers("yield", "yield", "t", std::move(groups));
+    samples.is_paired = is_paired;
+    return make_report_model({judged(std::move(samples))});
+  };
+  add("all solved", with_times(many, 3));
+  add("one best", with_times({{"DLS", 100}, {"PSO", 88}, {"mine", 54}}, 3));
+  add("one best, not all solved", with_times({{"DLS", 97}, {"PSO", 60}, {"mine", 20}}, 3));
+  add("nothing decided", with_times({{"LM", 100}, {"DLS", 100}, {"SLSQP", 98}}, 1));
+  add("nothing decided, one is faster", with_times({{"LM", 100}, {"DLS", 100}, {"SLSQP", 98}}, 2));
+  add("nothing solved", nothing_solved(far));
+  add("nothing solved, one is closest", nothing_solved({far[2], {"PSO", values_around(150, 0.1)}}));
+  add("nothing solved, ten solvers", nothing_solved({far[0],
+                                                     far[1],
+                                                     {"A", values_around(178, 1)},
+                                                     {"B", values_around(179, 1)},
+                                                     {"C", values_around(180, 1)},
+                                                     {"D", values_around(181, 1)},
+                                                     {"E", values_around(182, 1)}}));
+  add("a limit", with_times({{"LM", 100}, {"DLS", 97}, {"SLSQP", 60}}, 3), "1 ms");
+  add("a limit, one best", with_times({{"LM", 100}, {"DLS", 60}, {"SLSQP", 40}}, 3), "1 ms");
+  add("a limit, nothing decided", with_times({{"LM", 100}, {"DLS", 97}}, 1), "1 ms");
+  add("stats", of_file({{"ours", values_around(0.11, 0.2)}, {"theirs", values_around(0.17, 0.2)}}, true));
+  add("stats, one inconclusive",
+      of_file({{"B", values_around(138, 0.5)}, {"A", values_around(140, 0.5)}, {"placebo", values_around(300, 0.5)}},
+              false));
+  add("too few", of_file({{"NPK", {4.08, 4.1}}, {"N", {3.87, 3.9}}, {"none", {2.44, 2.5}}}, true));
+  check_golden("headline-table.txt", all);
+}

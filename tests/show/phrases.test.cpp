@@ -85,9 +85,9 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   add("all of three, enough to be the same",
       of(shares({{"LM", solved(200, 200)}, {"DLS", solved(200, 200)}, {"KDL", solved(200, 200)}})));
   add("none", of(shares({{"LM", solved(0)}, {"DLS", solved(0)}})));
-  add("not decided", of(shares({{"LM", solved(18)}, {"DLS", solved(20)}})));
+  add("inconclusive", of(shares({{"LM", solved(18)}, {"DLS", solved(20)}})));
   add("two best, of errors", of(errors({{"A", c}, {"B", a}, {"C", b}, {"D", a}})));
-  add("not decided between the first two",
+  add("inconclusive between the first two",
       of(errors({{"A", a}, {"B", values_around(1.25, 0.5)}, {"C", values_around(1.55, 0.5)}})));
   add("worse than another than the first",
       of(errors({{"A", values_around(1, 2)}, {"B", values_around(1.2, 0.1)}, {"C", values_around(1.5, 0.1)}})));
@@ -120,7 +120,7 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   MetricSamples repeated = errors({{"A", {1}}, {"B", {2}}});
   repeated.groups[0].sample = judge::Sample{.values = {1}, .is_deterministic = true},
   repeated.groups[1].sample = judge::Sample{.values = {2}, .is_deterministic = true};
-  add("facts", of(repeated));
+  add("deterministic solvers", of(repeated));
   MetricSamples lost = errors({{"A", a}, {"B", b}});
   lost.groups[1].sample = judge::ExcludedSample{.missing = 3, .values = b};
   add("lost values", of(lost));

@@ -94,7 +94,8 @@ void add_imported(StudyResults& study, const StudyResults& theirs) {
       study.solves.push_back(solve);
     }
   }
-  if (study.imported.labels.empty()) throw std::invalid_argument("--beside: the other store has no solver that this study lacks");
+  if (study.imported.labels.empty())
+    throw std::invalid_argument("--beside: the other store has no solver that this study lacks");
   if (!theirs.solves.empty() && theirs.solves.front().target != 0) require_same_targets(study);
 }
 

@@ -327,7 +327,8 @@ std::vector<Metric> metrics_of(const StudySpec& study) {
     for (const std::string& name : *names) {
       for (const Metric& known : all)
         if (is_metric_name(known, name))
-          throw std::invalid_argument(fmt::format("[check] reports a number \"{}\", which is the name of a metric; expected another name", name));
+          throw std::invalid_argument(fmt::format(
+              "[check] reports a number \"{}\", which is the name of a metric; expected another name", name));
       all.push_back({name, name, name, "", MetricKind::cost, QuantityKind::other, 0, 0, WhenReported::always, nullptr,
                      all.size() - rows.size(), better});
     }
