@@ -142,8 +142,8 @@ void refuse_missing_font(const FigureStyle& style, const std::vector<std::string
     const auto fonts = ChildProcess::run({"fc-list", fmt::format(":charset={:x}", code), "family"}, ".", {});
     if (fonts.succeeded && fonts.output.empty())
       throw std::invalid_argument(fmt::format(
-          "no font on this machine has the character U+{:04X} of \"{}\"; take another label, draw formats = "
-          "[\"svg\"] alone (--style), or add --figures none",
+          "no font on this machine has the character U+{:04X} of \"{}\"; use another label, draw only "
+          "formats = [\"svg\"] (--style), or add --figures none",
           code, one_line(label)));
   }
   const std::string& font = style.font;
@@ -152,7 +152,7 @@ void refuse_missing_font(const FigureStyle& style, const std::vector<std::string
       ChildProcess::run({"fc-match", "--format=,%{family},", "--", font}, ".", {});  // the names of one font
   if (!nearest.succeeded || lower_case(nearest.output).find("," + lower_case(font) + ",") != std::string::npos) return;
   throw std::invalid_argument(
-      fmt::format("font \"{}\" is not on this machine; take one that `fc-list : family` lists", font));
+      fmt::format("font \"{}\" is not on this machine; choose one that `fc-list : family` lists", font));
 }
 
 std::vector<std::string> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
@@ -191,7 +191,7 @@ std::vector<std::string> write_figures(const std::vector<Figure>& figures, const
   if (std::ranges::none_of(warnings, &std::string::empty)) {
     const ChildProcess::Ran gnuplot = ChildProcess::run({options.gnuplot, "--version"}, {}, {});
     if (!gnuplot.succeeded)
-      return {fmt::format("figures are not drawn: {}; install gnuplot, then give the command again", gnuplot.output)};
+      return {fmt::format("figures are not drawn: {}; install gnuplot, then run the command again", gnuplot.output)};
   }
   std::erase_if(warnings, [](const std::string& text) { return text.empty(); });
   return warnings;

@@ -52,8 +52,8 @@ std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view colum
                                drawn_unit(judged.study, metric.unit), drawn_solvers(judged.study, look), look));
 }
 
-// Solvers whose values of a metric, or of it per solved, are not compared; all, where those of none are. Whoever solved
-// nothing is, with that.
+// Returns the solvers whose values of a metric, or its cost per success, are not compared. Returns all solvers if no
+// values are compared. A solver that solved nothing counts as compared.
 std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_view column) {
   const auto metric = std::ranges::find_if(judged.metrics, [&](const JudgedMetric& each) {
     return each.samples.quantity_kind == metric_named(column).quantity_kind && !is_proportion(each.samples);

@@ -24,14 +24,15 @@ std::vector<bool> beaten_groups(const JudgedMetric& judged) {
   return is_beaten;
 }
 
-// Adds a warning that names all groups whose mean few values decide, if a comparison is left open by these means.
+// Adds a warning that names all groups whose mean a few values dominate, if a comparison is inconclusive for this
+// reason.
 void add_dominance_warning(JudgedMetric& judged) {
   Warning warning{.kind = WarningKind::dominated_by_few,
                   .detail = (is_log_scale(judged.samples) ? "" : "mean ") + judged.samples.quantity};
-  const auto is_left_open = [](const Comparison& comparison) {
+  const auto is_dominated_pair = [](const Comparison& comparison) {
     return is_not_tested(comparison, NotTestedReason::dominated);
   };
-  if (std::ranges::none_of(judged.comparisons, is_left_open)) return;
+  if (std::ranges::none_of(judged.comparisons, is_dominated_pair)) return;
   for (const Group& group : judged.samples.groups)
     if (!excluded(group) && is_dominated(group)) warning.solvers.push_back(group.name);
   judged.samples.warnings.push_back(std::move(warning));

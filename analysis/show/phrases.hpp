@@ -25,7 +25,7 @@ struct NamesByPhrase {
   // Returns a text per phrase. `form` is a format of fmt, in which {0} is the phrase and {1} are the names.
   std::vector<std::string> formatted(const char* form) const;
 };
-// Returns the verdict of a comparison for readers: "better", "same within 5 %", "not decided: all 20 equal", "not
+// Returns the verdict of a comparison for readers: "better", "same within 5 %", "inconclusive: all 20 equal", "not
 // decided", "not tested: values are missing".
 std::string comparison_text(const judge::Comparison& comparison, const judge::JudgedMetric& judged);
 // The word for a verdict in files of numbers, and the tone in which a page colours the verdict.

@@ -208,7 +208,7 @@
 
   const play = document.getElementById('play'), place = document.getElementById('place');
   const placeText = document.getElementById('place-text');
-  const pause = 1.5;  // at the end, before it begins anew [s]
+  const pause = 1.5;  // at the end, before it begins again [s]
   place.max = longest;
   place.hidden = placeText.hidden = longest === 1;
   let frame = 0;
