@@ -25,8 +25,8 @@ struct NamesByPhrase {
   // Returns a text per phrase. `form` is a format of fmt, in which {0} is the phrase and {1} are the names.
   std::vector<std::string> formatted(const char* form) const;
 };
-// Returns the verdict of a comparison for readers: "better", "same within 5 %", "inconclusive: all 20 equal", "not
-// decided", "not tested: values are missing".
+// Returns the verdict of a comparison for readers: "better", "same within 5 %", "inconclusive: all 20 equal",
+// "not tested: values are missing".
 std::string comparison_text(const judge::Comparison& comparison, const judge::JudgedMetric& judged);
 // The word for a verdict in files of numbers, and the tone in which a page colours the verdict.
 struct VerdictStyle {
@@ -42,14 +42,14 @@ struct ReasonTexts {
 };
 // Returns the words for a reason.
 ReasonTexts reason_words(judge::NotTestedReason why);
-// Returns why a pair is not tested. For samples that are too small the text has numbers of `noun`: "8 runs are too few,
-// 10 are needed".
+// Returns why a pair is not tested. For samples that are too small the text has numbers of `noun`: "8 runs, at least 10
+// needed".
 std::string reason_text(const judge::NotTested& open, std::string_view noun);
 // Returns a warning as a sentence with a full stop. The first letter becomes a capital, except in a solver's name.
 std::string warning_sentence(const judge::Warning& warning);
-// Returns the unit of a comparison's estimate: "times", "points", or the metric's unit. Empty without an estimate.
+// Returns the unit of a comparison's estimate: "ratio", "points", or the metric's unit. Empty without an estimate.
 std::string estimate_unit(const judge::Comparison& comparison, const judge::JudgedMetric& judged);
-// Returns "better in 43 %, worse in 3 % of comparisons". Empty if the test shows no difference, or has no dominance.
+// Returns "better in 43 % and worse in 3 % of value pairs". Empty if the test shows no difference, or has no dominance.
 std::string dominance_text(const judge::Comparison& comparison);
 // Returns the numbers that decide a comparison, on the scale of the estimate: no difference (1 for a ratio, otherwise
 // 0), and the two ends of the margin.
@@ -63,12 +63,12 @@ std::string margin_text(const judge::JudgedMetric& judged);
 const std::string& title_of(const judge::StudyResults& study);
 // Returns the arm, the size and the target set of a study: "ur5e, 20 runs of 5 targets (random)".
 std::string study_text(const judge::StudyResults& study);
-// Returns what ends a solve: "0.01 mm or 10000 evaluations".
+// Returns when a solve stops: "at 0.01 mm, or after 10000 evaluations".
 std::string budget_text(const judge::StudyResults& study);
-// Returns why solves failed: "Unsolved: limit of evaluations (DLS); it gave up or limit of iterations (PSO and DE).".
+// Returns why solves failed: "Why unsolved: evaluation limit (DLS); gave up or iteration limit (PSO and DE).".
 // Empty if all solves are solved, or if the study has no tolerance.
 std::string failure_reasons_text(const judge::StudyResults& study);
-// Returns how often the study's check refused answers of each solver: "Invalid: collision (DLS 3 and PSO 1).". Empty if
+// Returns how often the study's check refused answers of each solver: "Rejected by the check: collision (DLS 3 and PSO 1).". Empty if
 // the check refused none. More than ten faults are only counted.
 std::string rejections_text(const judge::StudyResults& study);
 
