@@ -22,9 +22,21 @@ std::vector<JudgedClaim> grouped(std::vector<JudgedClaim> claims, bool are_ours)
 
 bool is_counted(const JudgedClaim& claim) { return claim.in_readings.all() > 0; }
 
-show::Tone tone_of(Holds holds) {
-  if (holds == Holds::holds) return show::Tone::good;
-  return holds == Holds::fails ? show::Tone::bad : show::Tone::neutral;
+bool holds_only_by_default(const JudgedClaim& claim) {
+  return claim.holds == Holds::holds && claim.in_readings.fail > claim.in_readings.hold;
+}
+
+// Returns the word for a verdict. A claim that holds in the default interpretation, but fails in more interpretations
+// than it holds in, only holds by default.
+std::string verdict_text(const JudgedClaim& claim) {
+  const std::string name(name_of(claim.holds));
+  return holds_only_by_default(claim) ? name + " by default" : name;
+}
+
+show::Tone tone_of(const JudgedClaim& claim) {
+  if (holds_only_by_default(claim)) return show::Tone::neutral;
+  if (claim.holds == Holds::holds) return show::Tone::good;
+  return claim.holds == Holds::fails ? show::Tone::bad : show::Tone::neutral;
 }
 
 std::string remark_text(const JudgedClaim& claim) {
@@ -35,15 +47,15 @@ std::string remark_text(const JudgedClaim& claim) {
 show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) {
   show::Table table{.name = are_ours ? "questions" : "claims",
                     .caption = are_ours ? "What the paper does not say" : "What the paper says",
-                    .columns = show::named_columns({"claim", "verdict", "number", "in readings", "remark"}),
+                    .columns = show::named_columns({"verdict", "claim", "ours", "interpretations", "remark"}),
                     .is_of_study = false};
   table.columns.back().role = show::ColumnRole::machine_only;
   const auto in_readings = [&](const InReadings& of) {
-    if (of.all() > 0) return fmt::format("{} hold, {} fail, {} open", of.hold, of.fail, of.open);
+    if (of.all() > 0) return fmt::format("{} hold, {} fail, {} inconclusive", of.hold, of.fail, of.open);
     return std::string(std::ranges::any_of(claims, is_counted) ? "not counted" : "");
   };
   for (const JudgedClaim& claim : claims) {
-    table.rows.push_back({claim.sentence, show::VerdictCell{std::string(name_of(claim.holds)), tone_of(claim.holds)},
+    table.rows.push_back({show::VerdictCell{verdict_text(claim), tone_of(claim)}, claim.sentence,
                           show::text_cell(claim.number), in_readings(claim.in_readings), remark_text(claim)});
   }
   return table;
@@ -75,7 +87,7 @@ show::Blocks beginning(const Paper& paper, const std::vector<std::string>& sente
   show::Blocks blocks{show::Heading{sentences.front()}};
   for (std::size_t i = 1; i < sentences.size(); ++i) blocks.emplace_back(sentences[i]);
   blocks.emplace_back(table);
-  blocks.emplace_back(fmt::format("{} Not repeated: {}.", paper.citation, paper.not_repeated));
+  blocks.emplace_back(fmt::format("{} Not reproduced: {}.", paper.citation, paper.not_repeated));
   return blocks;
 }
 
@@ -101,22 +113,23 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
   text += fmt::format("\n{}\n{}\n", table.caption, show::to_text(table));
   std::vector<std::vector<std::string>> rows;
   if (const auto one = std::ranges::find_if(claims, is_counted); one != claims.end())
-    rows.push_back({"", "", fmt::format("ours ({} readings: hold, fail, open)", one->in_readings.all())});
+    add(fmt::format("Claims; in brackets: hold / fail / inconclusive in {} interpretations", one->in_readings.all()));
+  rows.push_back({fmt::format("{:16}", "verdict"), "claim", "ours"});
   std::vector<std::string> not_tested;  // sentences
   for (const JudgedClaim& claim : grouped(claims, false)) {
     if (claim.holds == Holds::not_tested) {
       not_tested.push_back(claim.sentence);
       continue;
     }
-    const std::string verdict(name_of(claim.holds));
+    const std::string verdict = verdict_text(claim);
     const bool is_new = std::exchange(last, verdict) != verdict;
     const InReadings& of = claim.in_readings;
-    rows.push_back({is_new ? fmt::format("{:13}", verdict) : "", show::shortened(claim.sentence, 46),
-                    claim.number + (of.all() == 0 ? "" : fmt::format(" ({}, {}, {})", of.hold, of.fail, of.open))});
+    rows.push_back({is_new ? verdict : "", show::shortened(claim.sentence, 43),
+                    claim.number + (of.all() == 0 ? "" : fmt::format(" ({}/{}/{})", of.hold, of.fail, of.open))});
   }
   text += show::align_columns(rows, 2);
   if (!not_tested.empty())
-    add(fmt::format("{}", fmt::join(not_tested, "; ")), fmt::format("{:15}", name_of(Holds::not_tested)));
+    add(fmt::format("{}", fmt::join(not_tested, "; ")), fmt::format("{:18}", name_of(Holds::not_tested)));
   return text;
 }
 

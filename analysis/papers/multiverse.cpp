@@ -94,9 +94,9 @@ Group group_of(std::vector<double> runs) {
 JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, const results::AnalysisPlan& plan) {
   JudgedMultiverse result{.in_readings = {},
                           .table = {.name = "multiverse",
-                                    .caption = "The claims in every reading",
+                                    .caption = "The claims in every interpretation",
                                     .columns = show::named_columns(
-                                        {"claim", "holds", "fails", "not decided", "most failures with one answer"}),
+                                        {"claim", "holds", "fails", "inconclusive", "most failures with one answer"}),
                                     .is_of_study = false}};
   for (const Claim& claim : paper.claims) {
     if (!hangs_on_reading(claim)) continue;
@@ -110,13 +110,14 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
   const std::int64_t solvers = std::ssize(multiverse.solvers), pairs = solvers * (solvers - 1) / 2;
   result.table.notes = {
       fmt::format(
-          "{} readings{}. A claim holds where its solvers are better than each rival, and fails where a rival is "
-          "better, by Welch's t (spreads: of distances from the median) at {:g} / {} ({} of solvers).",
+          "{} interpretations{}. A claim holds if its solvers are better than each rival, and fails if a rival is better. "
+          "The test is Welch's t (for spreads: on distances from the median) at {:g} / {} ({} of solvers).",
           seeds * readings, seeds > 1 ? fmt::format(": {}, each with seeds 1 to {}", readings, seeds) : "",
           plan.significance, pairs, base::counted(pairs, "pairs")),
-      fmt::format("A reading answers {} of the questions that the paper leaves open. Counts depend on the answers "
-                  "listed: they are no chances.",
-                  multiverse.dimensions.size())};
+      fmt::format(
+          "An interpretation answers {} of the questions that the paper leaves open. The counts depend on which answers "
+          "are listed, so they are not probabilities.",
+          multiverse.dimensions.size())};
   return result;
 }
 

@@ -67,7 +67,7 @@ std::vector<show::Cell> beside(const JudgedMetric& judged, const std::string& so
 show::Table means_table(const Repeated& repeated, const SeedCounts& counts) {
   const StudyResults& study = repeated.study().study;
   show::Table table{.name = "means", .columns = {{"solver"}}};
-  table.caption = fmt::format("Means of {}, here and as printed", base::counted(study.definition.runs, "runs"));
+  table.caption = fmt::format("Means of {}, ours and the paper's", base::counted(study.definition.runs, "runs"));
   bool has_signs = false;
   for (const std::string& solver : study.labels) table.rows.push_back({solver});
   for (const JudgedMetric& judged : repeated.study().metrics) {
@@ -84,18 +84,19 @@ show::Table means_table(const Repeated& repeated, const SeedCounts& counts) {
     table.rows.clear();
     return table;
   }
-  table.notes.push_back(has_signs ? std::string(meaning_of_signs)
-                                  : "Too few runs to say which numbers repeat; they leave claims open.");
+  table.notes.push_back(
+      has_signs ? std::string(meaning_of_signs)
+                : "There are too few runs to say which numbers are reproduced, so claims may be inconclusive.");
   if (counts.of == 0) return table;
   const std::size_t of_row = static_cast<std::size_t>(counts.of) / counts.rows.size();
-  table.columns.push_back({fmt::format("repeat, of {}", of_row)});
+  table.columns.push_back({fmt::format("reproduced of {}", of_row)});
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const auto row = counts.rows.find(study.labels[i]);
     table.rows[i].push_back(row == counts.rows.end() ? show::Cell() : show::Cell(span_of(row->second)));
   }
-  table.notes.push_back(fmt::format(
-      "Repeat: of its statistics in Table 3, by seed (1 to {}); as one study the runs of all seeds repeat {} of {}.",
-      counts.all.size(), counts.together, counts.of));
+  table.notes.push_back(
+      fmt::format("Reproduced: of {} statistics in Table 3, for seeds 1 to {}; all seeds pooled reproduce {} of {}.",
+                  of_row, counts.all.size(), counts.together, counts.of));
   return table;
 }
 
@@ -233,22 +234,23 @@ std::vector<std::string> means_sentences(const std::vector<RateColumn>& columns)
       repeat += rate.sign() == "~";
       open += rate.sign() == "?";
       if (rate.sign() == "x")
-        others.push_back(fmt::format("{} of {} {} (printed {})", name, rate.row, ours, rate.digits));
+        others.push_back(fmt::format("{} of {} {} (paper {})", name, rate.row, ours, rate.digits));
       if (rate.n != rate.n_printed) continue;
       ++counted;
       if (std::abs(rate.ours - rate.printed) < most + 0.5) same.push_back(fmt::format("{}/{}", ours, rate.digits));
     }
   }
-  const std::string undecided = open > 0 ? fmt::format(", {} are not decided", open) : "";
+  const std::string undecided = open > 0 ? fmt::format(", {} are inconclusive", open) : "";
   const std::string nearly =
       same.empty()
           ? ""
-          : fmt::format("; of the paper's own poses {} of {} solvers miss as many as printed, within {:g} ({})",
-                        same.size(), counted, most, fmt::join(same, ", "));
+          : fmt::format(
+                "; on the paper's own poses, {} of {} solvers miss as many targets as in the paper, within {:g} ({})",
+                same.size(), counted, most, fmt::join(same, ", "));
   std::vector<std::string> sentences{
-      all == open ? "Too few targets to decide whether any printed number repeats."
-                  : fmt::format("{} of {} printed numbers repeat{}{}.", repeat, all, undecided, nearly)};
-  if (!others.empty()) sentences.push_back(fmt::format("Not as printed: {}.", show::listed(others, ", ")));
+      all == open ? "There are too few targets to say whether we reproduce any number of the paper."
+                  : fmt::format("We reproduce {} of {} numbers of the paper{}{}.", repeat, all, undecided, nearly)};
+  if (!others.empty()) sentences.push_back(fmt::format("Not reproduced: {}.", show::listed(others, ", ")));
   return sentences;
 }
 
@@ -268,8 +270,8 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
       for (const Rate& rate : column.rates) {
         repeat += rate.sign() == "~";
         open += rate.sign() == "?";
-        if (rate.sign() == "x")  // "Jaco2 31 % (printed 26.23)"
-          others.push_back(fmt::format("{} {:.1f} % (printed {})", rate.row, rounded(rate.ours), rate.digits));
+        if (rate.sign() == "x")  // "Jaco2 31 % (paper 26.23)"
+          others.push_back(fmt::format("{} {:.1f} % (paper {})", rate.row, rounded(rate.ours), rate.digits));
         if (rate.printed_ms.empty()) continue;
         const double ratio = rate.mean_ms / base::number_from(rate.printed_ms).value();
         least = std::min(least, ratio);
@@ -278,18 +280,19 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
       if (open == std::ssize(column.rates))
         undecided.push_back(column.name);
       else
-        counts.push_back(fmt::format("by {} on {}{} of {}{}", column.name, repeat,
-                                     open > 0 ? fmt::format(" (not decided on {})", open) : "", column.rates.size(),
+        counts.push_back(fmt::format("for {} on {}{} of {}{}", column.name, repeat,
+                                     open > 0 ? fmt::format(" (inconclusive on {})", open) : "", column.rates.size(),
                                      counts.empty() ? " arms" : ""));
       if (is_first && !others.empty())
-        who.push_back(fmt::format("{} not on: {}.", column.name, show::listed(others, ", ")));
+        who.push_back(fmt::format("Not reproduced for {}: {}.", column.name, show::listed(others, ", ")));
       if (is_first && most > 0)
         who.push_back(
-            fmt::format("The mean times of {} are {:.2g} to {:.2g} times the printed ones.", column.name, least, most));
+            fmt::format("The mean times of {} are {:.2g}x to {:.2g}x those of the paper.", column.name, least, most));
     }
-    if (!counts.empty()) sentences.push_back(fmt::format("The rates of {} repeat {}.", words, show::listed(counts)));
+    if (!counts.empty())
+      sentences.push_back(fmt::format("We reproduce the rates of {} {}.", words, show::listed(counts)));
     if (!undecided.empty())
-      sentences.push_back(fmt::format("No rate of {} by {} is decided.", words, show::listed(undecided)));
+      sentences.push_back(fmt::format("All rates of {} are inconclusive for {}.", words, show::listed(undecided)));
   }
   std::ranges::move(who, std::back_inserter(sentences));
   return sentences;
@@ -301,9 +304,10 @@ show::Table rates_table(const Repeated& repeated, const std::string& name) {
   std::string table_name = "numbers";
   if (is_of_arms) table_name = is_first ? plan.tables.begin()->first : name;
   show::Table table{.name = table_name, .columns = {{is_of_arms ? "arm" : "solver"}}, .is_of_study = !is_of_arms};
-  table.caption = fmt::format("{} {}{}, here and as printed{}", is_of_arms ? "Solved of" : "Means of",
-                              base::counted(repeated.study().study.definition.runs, "targets"),
-                              is_of_arms ? " an arm" : "", is_of_arms ? " by " + plan.tables.at(table.name) : "");
+  table.caption =
+      fmt::format("{} {}{}, ours and the paper's{}", is_of_arms ? "Solved of" : "Means of",
+                  base::counted(repeated.study().study.definition.runs, "targets"), is_of_arms ? " per arm" : "",
+                  is_of_arms ? fmt::format(" ({})", plan.tables.at(table.name)) : "");
   std::set<std::string_view> signs;
   for (const auto& [column, rates] : rates_of(repeated, name)) {
     const std::size_t before = table.columns.size();
@@ -326,17 +330,17 @@ show::Table rates_table(const Repeated& repeated, const std::string& name) {
   }
   for (auto& row : table.rows) row.resize(table.columns.size());
   std::vector<std::string> key;
-  if (signs.contains("~")) key.emplace_back("~ it contains 0");
-  if (signs.contains("x")) key.emplace_back("x it excludes 0");
-  if (signs.contains("?")) key.emplace_back("? it is too wide");
+  if (signs.contains("~")) key.emplace_back("~ contains 0");
+  if (signs.contains("x")) key.emplace_back("x excludes 0");
+  if (signs.contains("?")) key.emplace_back("? is too wide");
   table.notes.push_back(
-      fmt::format("{:g} % interval of ours minus the printed: {}.", 100 * plan.level, fmt::join(key, "; ")));
+      fmt::format("{:g} % interval of ours minus the paper's number: {}.", 100 * plan.level, fmt::join(key, "; ")));
   if (!is_first) return table;
   if (!plan.picked.empty())
-    table.notes.emplace_back("* of several files or sides of the arm, the one nearest to the printed.");
+    table.notes.emplace_back("* of several files or sides of the arm, the one nearest to the paper's number.");
   if (!plan.note.empty()) table.notes.push_back(plan.note);
   if (const base::CsvTable* const of = repeated.programs; of != nullptr && of->rows() > 0)
-    table.notes.push_back(fmt::format("{}: {} poses an arm by {}, {}, {}.", of->cell(0, of->column("solver")),
+    table.notes.push_back(fmt::format("{}: {} poses per arm by {}, {}, {}.", of->cell(0, of->column("solver")),
                                       of->cell(0, of->column("n")), of->cell(0, of->column("program")),
                                       of->cell(0, of->column("machine")), of->cell(0, of->column("day"))));
   return table;
@@ -345,8 +349,8 @@ show::Table rates_table(const Repeated& repeated, const std::string& name) {
 namespace {
 
 std::string verdict_text(const Rate& rate) {
-  if (rate.sign() == "x") return "not as printed";
-  return rate.sign() == "~" ? "as printed" : "not decided";
+  if (rate.sign() == "x") return "not reproduced";
+  return rate.sign() == "~" ? "reproduced" : "inconclusive";
 }
 
 }  // namespace
@@ -366,9 +370,10 @@ std::optional<figures::Figure> rates_figure(const Repeated& repeated) {
                       .style = rate.sign() == "x" ? 1 : 0});
   }
   const std::string what = plan.is_of_arms() || columns.empty() ? "Share solved" : "Targets " + columns[0].name;
-  return differences({"printed", fmt::format("{} minus the printed, with its {:g} % interval.", what, 100 * plan.level),
-                      "ours minus printed", plan.is_of_arms() ? "points" : "targets"},
-                     rows, false);
+  return differences(
+      {"printed", fmt::format("{}: ours minus the paper's, with the {:g} % interval.", what, 100 * plan.level),
+       "ours minus the paper's", plan.is_of_arms() ? "points" : "targets"},
+      rows, false);
 }
 
 }  // namespace ikbench::papers

@@ -44,8 +44,7 @@ show::Cell beside(double ours, std::string_view printed);
 // Returns a solver's statistics beside a printed row, with signs. A statistic is unknown if values are missing. Times
 // have no sign, because machines differ.
 std::vector<show::Cell> beside(const judge::JudgedMetric& judged, const std::string& solver, const PrintedRow* row);
-constexpr std::string_view meaning_of_signs =
-    "~ in the range that holds 92 % of such numbers of new studies by our program; x outside";
+constexpr std::string_view meaning_of_signs = "~ within the range of 92 % of reruns of our program; x outside";
 
 // Returns our means beside the printed ones, with a row per solver, and how many numbers of each solver repeat by seed.
 show::Table means_table(const Repeated& repeated, const SeedCounts& counts = {});
@@ -78,8 +77,8 @@ struct RateColumn {
 // Returns the shares solved by solver, for the arms of a printed table that our studies have, in the table's order. An
 // empty `table` is the paper's own. For a paper with columns of means those columns are returned.
 std::vector<RateColumn> rates_of(const Repeated& repeated, std::string table = "");
-// Returns "KDL's printed rates repeat on 11 of 13 arms, KDL-RR's on 12.", then the arms on which a solver's rate does
-// not repeat. Empty if the paper prints no rates.
+// Returns "We reproduce the rates of README 1.4.6 for KDL on 11 of 13 arms and for KDL-RR on 12 of 13.", then the arms
+// on which a solver's rate is not reproduced. Empty if the paper prints no rates.
 std::vector<std::string> rates_sentences(const Repeated& repeated);
 // Returns our rates beside the printed ones. Without rows if the paper prints no rates.
 show::Table rates_table(const Repeated& repeated, const std::string& table = "");

@@ -12,6 +12,7 @@
 #include "analysis/judge/statistics/omnibus.hpp"
 #include "analysis/papers/repeated.hpp"
 #include "analysis/show/text.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::papers {
 
@@ -185,11 +186,9 @@ Verdict verdict_of_metrics(const Tally& metrics) {
 JudgedClaims ahead(const Claim& claim, const Repeated& repeated) {
   const std::string& solver = claim.solvers.front();
   std::vector<JudgedMetric> here;
-  Names quantities;
   for (const Metric* metric : claim.metrics) {
     std::optional<JudgedMetric> ours = judged_here(claim, repeated, *metric);
     if (!ours) return {};
-    quantities.push_back(ours->samples.quantity);
     here.push_back(std::move(*ours));
   }
   Tally tally;
@@ -200,7 +199,7 @@ JudgedClaims ahead(const Claim& claim, const Repeated& repeated) {
   }
   JudgedClaim result{claim};
   result.holds = holds_of(tally);
-  result.number = fmt::format("beats {} of {} in {}", tally.better, tally.all(), show::listed(quantities, " or "));
+  result.number = fmt::format("beats {} of {}", tally.better, base::counted(tally.all(), "solvers"));
   return {result};
 }
 
@@ -282,7 +281,7 @@ constexpr Rule all_rules[]{{"better", better},
 }  // namespace
 
 std::string_view name_of(Holds holds) {
-  constexpr std::array<std::string_view, 5> names{"holds", "holds in part", "fails", "not decided", "not tested"};
+  constexpr std::array<std::string_view, 5> names{"holds", "holds in part", "fails", "inconclusive", "not tested"};
   return names[static_cast<std::size_t>(holds)];
 }
 

@@ -116,7 +116,7 @@ Table for_readers(Table table) {
     if (has(table, c, is_ratio)) table.columns[c].cell_unit = std::exchange(table.columns[c].unit, "");
     if (has(table, c, is_printed)) {
       const auto next = static_cast<std::ptrdiff_t>(c + 1);
-      table.columns.insert(table.columns.begin() + next, {"printed"});
+      table.columns.insert(table.columns.begin() + next, {"paper"});
       for (auto& row : table.rows) {
         const auto* const published = std::get_if<PublishedNumber>(&row[c]);
         Cell printed = published ? Cell(*published) : Cell();

@@ -30,39 +30,41 @@ namespace {
 
 std::string with(const std::string& reading) { return reading.empty() ? "" : " with " + reading; }
 
-std::string_view repeats_text(Holds conclusion) {
+std::string_view predicate(Holds conclusion) {
   switch (conclusion) {
     case Holds::holds:
-      return "repeats in";
+      return "holds";
     case Holds::in_part:
-      return "repeats in a part of";
+      return "holds in part";
     case Holds::fails:
-      return "does not repeat in";
+      return "fails";
     case Holds::undecided:
+      return "is inconclusive";
     case Holds::not_tested:
-      return "is not shown to repeat in";
+      return "is not tested";
   }
   return "";
 }
 
 std::string first_sentence(Holds conclusion, const std::vector<SeedCounts>& counts,
                            const std::vector<JudgedClaim>& claims) {
-  const std::string_view words = repeats_text(conclusion);
   const JudgedClaim* const other = claim_named(claims, "best_compromise_50");
   const std::string by = other != nullptr && other->holds == conclusion ? " with 20 and with 50 agents" : "";
   const auto open = std::ranges::count_if(
       claims, [](const JudgedClaim& claim) { return !claim.is_ours && claim.holds == Holds::undecided; });
-  std::string besides = open == 0 ? "" : fmt::format("; so few runs leave {} open", base::counted(open, "claims"));
+  std::string besides;
+  if (open > 0)
+    besides =
+        fmt::format("; with so few runs, {} {} inconclusive", base::counted(open, "claims"), open == 1 ? "is" : "are");
   if (!counts.empty() && counts[0].of > 0) {
     std::vector<std::string> repeated;
-    for (const SeedCounts& each : counts)
-      repeated.push_back(span_of(each.all) + (repeated.empty() ? " repeat" : "") + with(each.reading));
+    for (const SeedCounts& each : counts) repeated.push_back(span_of(each.all) + with(each.reading));
     besides = fmt::format(
-        ". Of the {} statistics of error and joint motion in Table 3, {}, by seed; if the authors' own program ran again, "
-        "{} would, by simulation",
+        ". Of the {} error and motion statistics in Table 3 we reproduce {}, depending on the seed; in simulation, the "
+        "authors' own program would reproduce {}",
         counts[0].of, show::listed(repeated), span_of(counts[0].same));
   }
-  return fmt::format("Slim et al. 2023 {} its conclusion{}{}.", words, by, besides);
+  return fmt::format("The conclusion of Slim et al. 2023 {}{}{}.", predicate(conclusion), by, besides);
 }
 
 bool holds(const JudgedClaim* claim) { return claim != nullptr && claim->holds == Holds::holds; }
@@ -107,7 +109,7 @@ std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
   };
   if (auto overview = overview_of(judged, look, add_printed)) {
     overview->name = "overview";
-    overview->caption += " Rings: as printed.";
+    overview->caption += " Rings: the paper's.";
     figures.all.push_back(std::move(*overview));
   }
   figures.add(5, path_of(study, look, 1, ", with the arm."));
@@ -146,7 +148,7 @@ std::vector<Figure> of_circle(const StudyResults& study, const Look& look) {
   figures.add(16, joints({.caption = "Joint angles along the circle. Dashed: limits."}, joint_rows(study, look)));
   std::vector<Line> errors = by_point(study, error, look, Average::mean);
   const CsvTable printed = results::published::table("slim2023", "table-8");
-  Line& beside = errors.emplace_back(Line{.label = "as printed", .style = 0});
+  Line& beside = errors.emplace_back(Line{.label = "paper", .style = 0});
   for (std::size_t row = 0; row < printed.rows(); ++row)
     beside.rows.push_back({printed.number(row, "point"), printed.number(row, "error_cm")});
   About about = about_of(study, metric_named(error), "The error at each point, beside Table 8's.");
@@ -161,9 +163,9 @@ std::vector<Figure> of_circle(const StudyResults& study, const Look& look) {
 
 Table table_1(const StudyResults& study) {
   Table table{.name = "table-1",
-              .caption = "Table 1: settings, as used and as printed",
-              .columns = {{"solver"}, {"parameter"}, {"used"}},
-              .notes = {"Not used is what is drawn anew instead; Set-up has all options."}};
+              .caption = "Table 1: settings, ours and the paper's",
+              .columns = {{"solver"}, {"parameter"}, {"ours"}},
+              .notes = {"\"-\" under *ours*: drawn at random instead. All options: Set-up."}};
   const CsvTable printed = results::published::table("slim2023", "table-1");
   for (std::size_t row = 0; row < printed.rows(); ++row) {
     const auto series = std::ranges::find(study.series, printed.cell(row, 0), &results::Series::label);
@@ -178,9 +180,9 @@ Table table_1(const StudyResults& study) {
 
 Table table_2(const StudyResults& study) {
   Table table{.name = "table-2",
-              .caption = "Table 2: the arm, here and as printed",
+              .caption = "Table 2: the arm, ours and the paper's",
               .columns = {{"joint"}, {"alpha", "deg"}, {"a", "m"}, {"d", "m"}, {"limit", "deg"}},
-              .notes = {"The paper prints no lengths: ours are the maker's."}};
+              .notes = {"The paper gives no lengths: ours are the manufacturer's."}};
   const CsvTable printed = results::published::table("slim2023", "table-2");
   const base::Json arm = base::parsed_json(study.definition.arm);
   for (const base::Json& link : arm.is_object() ? arm.value("links", base::Json::array()) : base::Json::array()) {
@@ -196,12 +198,13 @@ Table table_2(const StudyResults& study) {
 
 Table table_3(const Repeated& repeated) {
   const std::vector<std::string>& solvers = repeated.study().study.labels;
-  Table table{.name = "table-3" + repeated.suffix(),
-              .caption = fmt::format("Table 3{}: statistics of the runs", with(repeated.reading())),
-              .columns = {{"solver"}, {"statistic"}},
-              .notes = {std::string(meaning_of_signs),
-                        "Printed times are of another machine and language. Our time of a run is the median of its "
-                        "points."}};
+  Table table{
+      .name = "table-3" + repeated.suffix(),
+      .caption = fmt::format("Table 3{}: statistics of the runs", with(repeated.reading())),
+      .columns = {{"solver"}, {"statistic"}},
+      .notes = {std::string(meaning_of_signs),
+                "The paper's times are from another machine and language. Our time of a run is the median over its "
+                "points."}};
   for (const Statistic& statistic : statistics)
     for (const std::string& solver : solvers) table.rows.push_back({solver, std::string(statistic.column)});
   for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
@@ -231,7 +234,7 @@ std::vector<Table> anova_tables(const Repeated& repeated) {
                                   .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
     const CsvTable printed = results::published::table(repeated.paper.name, number);
     const std::vector<OmnibusTest> tests = judge::anova(judged->samples);
-    if (tests.empty()) table.notes.emplace_back("Ours is not tested: values are missing, or not comparable.");
+    if (tests.empty()) table.notes.emplace_back("Ours is not tested, because values are missing or not comparable.");
     const OmnibusTest ours = tests.empty() ? OmnibusTest() : tests.front();
     const double between = ours.ss_between, within = ours.ss_within;
     for (const auto& numbers : {std::array{between, ours.df, between / ours.df, ours.statistic, ours.p},
@@ -253,7 +256,7 @@ std::optional<Table> table_7(const StudyResults& study) {
   Table table{.name = "table-7",
               .caption = fmt::format("Table 7: computing time until the error is {:g} cm", tolerance),
               .columns = {{"solver"}, {"solves"}, {"reached"}, {fmt::format("reached in {:g} ms", limit_ms)}},
-              .notes = {"Each solve counts, also one that does not reach the tolerance."}};
+              .notes = {"Every solve counts, even one that does not reach the tolerance."}};
   for (const Statistic& statistic : statistics) table.columns.push_back({std::string(statistic.column), "ms"});
   table.columns.push_back({"median iterations"});
   for (const std::string& solver : study.labels) {
@@ -296,10 +299,10 @@ std::optional<Table> table_8(const StudyResults& study) {
     }
     row.push_back(beside(solve.position_error_cm, in_print()));
   }
-  table.notes = {
-      fmt::format("{} of {} printed angles are ours to the printed digit; theta 4 is set as theta 1. The arm's lengths "
-                  "are not printed: they were fitted to these angles.",
-                  agreeing, table.rows.size() * joints.size())};
+  table.notes = {fmt::format(
+      "{} of {} angles of the paper agree with ours to the printed digit; theta 4 is set equal to theta 1. The paper "
+      "gives no lengths of the arm: ours were fitted to these angles.",
+      agreeing, table.rows.size() * joints.size())};
   return table;
 }
 
@@ -310,20 +313,20 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   std::vector<std::string> all{first_sentence(best->holds, counts, claims)};
   if (accurate->number.empty()) return all;
   std::string words =
-      fmt::format("The paper concludes that {}: {} ({})", best->sentence, name_of(best->holds), best->number);
+      fmt::format("The paper concludes that {}; this {} ({})", best->sentence, predicate(best->holds), best->number);
   if (holds(best) && holds(accurate) && holds(claim_named(claims, "least_variation")))
     words =
-        "IK-BA has the \"best compromise\" of error and joint motion: the least error, and with MO-PSO the least joint "
-        "motion. Times, which the conclusion names too, are not compared";
+        "IK-BA is the \"best compromise\": it has the smallest error and, with MO-PSO, the least joint motion. Times, which "
+        "the conclusion also names, are not compared";
   all.push_back(words + '.');
-  words = fmt::format("\"{}\" {}{} in the default reading ({})", accurate->sentence,
-                      accurate->holds >= Holds::undecided ? "is " : "", name_of(accurate->holds), accurate->number);
+  words = fmt::format("\"{}\" {} in the default interpretation ({})", accurate->sentence, predicate(accurate->holds),
+                      accurate->number);
   if (const InReadings& of = accurate->in_readings; of.all() > 0)
-    words += fmt::format(". It holds in {} of {} readings, is open in {} and fails in {}{}", of.hold, of.all(), of.open,
-                         of.fail, of.most_fail.empty() ? "" : ", of these " + of.most_fail);
+    words += fmt::format(". It holds in {} of {} interpretations, is inconclusive in {} and fails in {}{}", of.hold,
+                         of.all(), of.open, of.fail, of.most_fail.empty() ? "" : " (" + of.most_fail + ')');
   all.push_back(words + '.');
   if (classical != nullptr && classical->holds == Holds::fails)
-    all.push_back(fmt::format("More accurate, and not in the paper: {} cm.", classical->rival));
+    all.push_back(fmt::format("Not in the paper, but more accurate: {} cm.", classical->rival));
   return all;
 }
 

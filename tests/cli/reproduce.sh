@@ -10,7 +10,7 @@ reference() { grep "\"$1\"" "$references" | cut -d'"' -f4; }
 # verdicts FOLDER: the verdicts of its claims and questions.
 verdicts() {
   for name in claims questions; do
-    sqlite3 -separator ' | ' :memory: ".import --csv $1/tables/$name.csv t" "SELECT verdict, claim, number FROM t"
+    sqlite3 -separator ' | ' :memory: ".import --csv $1/tables/$name.csv t" "SELECT verdict, claim, ours FROM t"
   done
 }
 

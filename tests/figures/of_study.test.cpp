@@ -249,7 +249,7 @@ TEST_CASE("the paper's figures have the printed numbers beside ours", "[of_study
   on_circle.definition.path = "circle";
   const std::vector<Figure> of_circle = slim2023::figures_of(judge::judge(on_circle), look_of_study(on_circle));
   CHECK(names_of(of_circle) == Names{"figure-15", "figure-16", "figure-17", "figure-18"});
-  CHECK(contains(of_circle[2].data, "# as printed\n1 2.04e-14 "));
+  CHECK(contains(of_circle[2].data, "# paper\n1 2.04e-14 "));
   const ScratchFolder folder;
   CHECK(drawn_as_svg(figures, folder.path) == "");
   CHECK(drawn_as_svg(of_circle, folder.path) == "");

@@ -15,7 +15,7 @@ TEST_CASE("a study with the printed numbers has the verdicts of the printed numb
     INFO(id);
     CHECK(holds(of, id) == Holds::holds);
   }
-  CHECK(means_table(of).notes[0].starts_with("~ in the range"));
+  CHECK(means_table(of).notes[0].starts_with("~ within the range"));
   CHECK(holds(of, "real_arm") == Holds::not_tested);
   CHECK(holds(of, "circle") == Holds::not_tested);
   CHECK(claim_named(judged_claims(of), "accurate_inside_limits") == nullptr);  // a question needs its study
@@ -161,21 +161,23 @@ TEST_CASE("a rate is as printed where the two shares do not differ, by the targe
   CHECK(holds(repeated(as_printed), "rate-KDL") == Holds::holds);
   CHECK(claim_of(repeated(as_printed), "rate-KDL").number == "on 1 of 1 arms");
   CHECK(rates_sentences(repeated(as_printed)) ==
-        std::vector<std::string>{"The rates of README 1.4.6 repeat by KDL on 1 of 1 arms and by KDL-RR on 1 of 1.",
-                                 "The rates of README 1.5.1 repeat by KDL on 1 of 1 arms and by KDL-RR on 1 of 1."});
+        std::vector<std::string>{
+            "We reproduce the rates of README 1.4.6 for KDL on 1 of 1 arms and for KDL-RR on 1 of 1.",
+            "We reproduce the rates of README 1.5.1 for KDL on 1 of 1 arms and for KDL-RR on 1 of 1."});
   CHECK(holds(repeated(never), "rate-KDL") == Holds::fails);
   CHECK(holds(repeated(never), "restarts") == Holds::holds);
   CHECK(holds(repeated(never), "trac_ik") == Holds::not_tested);
   const Repeated both = repeated(never, {&panda});
   CHECK(holds(both, "rate-KDL") == Holds::in_part);
   CHECK(rates_sentences(both) ==
-        std::vector<std::string>{"The rates of README 1.4.6 repeat by KDL on 1 of 2 arms and by KDL-RR on 1 of 2.",
-                                 "The rates of README 1.5.1 repeat by KDL on 1 of 2 arms and by KDL-RR on 1 of 2.",
-                                 "KDL not on: ABB IRB120 43.6 % (printed 39.41).",
-                                 "KDL-RR not on: Franka Emika Panda 98.5 % (printed 92.67)."});
+        std::vector<std::string>{
+            "We reproduce the rates of README 1.4.6 for KDL on 1 of 2 arms and for KDL-RR on 1 of 2.",
+            "We reproduce the rates of README 1.5.1 for KDL on 1 of 2 arms and for KDL-RR on 1 of 2.",
+            "Not reproduced for KDL: ABB IRB120 43.6 % (paper 39.41).",
+            "Not reproduced for KDL-RR: Franka Emika Panda 98.5 % (paper 92.67)."});
   CHECK(contains(text(both), "39.41 x"));
   CHECK(contains(text(both), "61.77 ~"));
-  CHECK(contains(text(both), "minus the printed: ~ it contains 0; x it excludes 0.\n"));
+  CHECK(contains(text(both), "minus the paper's number: ~ contains 0; x excludes 0.\n"));
   CHECK(rates_figure(both)->name == "printed");
   // What a program did is a table: 9990 of 10 000 where 99.91 % and 0.26 ms are printed.
   const base::CsvTable programs = base::parse_csv(
@@ -185,19 +187,20 @@ TEST_CASE("a rate is as printed where the two shares do not differ, by the targe
   with_program.programs = &programs;
   CHECK(holds(with_program, "rate-TRAC-IK") == Holds::holds);
   CHECK(holds(with_program, "trac_ik") == Holds::holds);  // 99.9 % against 98.5
-  CHECK(rates_sentences(with_program) ==
-        std::vector<std::string>{
-            "The rates of README 1.4.6 repeat by KDL on 1 of 1 arms, by KDL-RR on 1 of 1 and by TRAC-IK on 1 of 1.",
-            "The rates of README 1.5.1 repeat by KDL on 1 of 1 arms, by KDL-RR on 1 of 1 and by TRAC-IK on 1 of 1.",
-            "The mean times of TRAC-IK are 1.3 to 1.3 times the printed ones."});
+  CHECK(
+      rates_sentences(with_program) ==
+      std::vector<std::string>{
+          "We reproduce the rates of README 1.4.6 for KDL on 1 of 1 arms, for KDL-RR on 1 of 1 and for TRAC-IK on 1 of 1.",
+          "We reproduce the rates of README 1.5.1 for KDL on 1 of 1 arms, for KDL-RR on 1 of 1 and for TRAC-IK on 1 of 1.",
+          "The mean times of TRAC-IK are 1.3x to 1.3x those of the paper."});
   CHECK(contains(text(with_program), "0.338 ms"));
-  CHECK(contains(text(with_program), "TRAC-IK: 10000 poses an arm by its version, it, today."));
+  CHECK(contains(text(with_program), "TRAC-IK: 10000 poses per arm by its version, it, today."));
   const JudgedStudy few = share(10, "abb_irb120", 30);  // 33.3 % (19 to 51) and 100 % (89 to 100)
   CHECK(holds(repeated(few), "rate-KDL") == Holds::undecided);
   CHECK(holds(repeated(few), "rate-KDL-RR") == Holds::undecided);
-  CHECK(rates_sentences(repeated(few))[0] == "No rate of README 1.4.6 by KDL and KDL-RR is decided.");
+  CHECK(rates_sentences(repeated(few))[0] == "All rates of README 1.4.6 are inconclusive for KDL and KDL-RR.");
   CHECK(contains(text(repeated(few)), "39.41 ?"));
-  CHECK(contains(text(repeated(few)), "printed: ? it is too wide"));
+  CHECK(contains(text(repeated(few)), "number: ? is too wide"));
 }
 
 TEST_CASE("printed columns of means are compared as they are, and counts to one target", "[papers]") {
@@ -231,14 +234,14 @@ TEST_CASE("printed columns of means are compared as they are, and counts to one 
   CHECK(claim_of(repeated(as_printed), "rate-not solved").number == "for 2 of 2 solvers");
   CHECK(holds(repeated(as_printed), "rate-not solved") == Holds::holds);
   CHECK(holds(repeated(as_printed), "rate-iterations") == Holds::in_part);
-  CHECK(
-      rates_sentences(repeated(as_printed)) ==
-      std::vector<std::string>{"3 of 4 printed numbers repeat; of the paper's own poses 2 of 2 solvers miss as many as "
-                               "printed, within 2 (1111/1110, 961/961).",
-                               "Not as printed: iterations of LM Chan 0.1 9.5 (printed 9.43)."});
+  CHECK(rates_sentences(repeated(as_printed)) ==
+        std::vector<std::string>{
+            "We reproduce 3 of 4 numbers of the paper; on the paper's own poses, 2 of 2 solvers miss as "
+            "many targets as in the paper, within 2 (1111/1110, 961/961).",
+            "Not reproduced: iterations of LM Chan 0.1 9.5 (paper 9.43)."});
   CHECK(holds(repeated(made(8600, 21)), "rate-not solved") == Holds::in_part);
   CHECK(rates_sentences(repeated(made(8, 21, 10))) ==
-        std::vector<std::string>{"Too few targets to decide whether any printed number repeats."});
+        std::vector<std::string>{"There are too few targets to say whether we reproduce any number of the paper."});
   const show::Table table = rates_table(repeated(as_printed, {&searches}));
   REQUIRE(table.columns.size() == 5);
   CHECK(std::get<std::string>(table.rows[0][0]) == "NR");  // in the printed order
@@ -270,14 +273,17 @@ TEST_CASE("claims are told by verdict, with the whole count of readings", "[pape
   const auto& table = std::get<show::Table>(blocks[1]);
   CHECK(table.rows.size() == 14);
   const auto most = std::ranges::find_if(
-      table.rows, [](const auto& row) { return std::get<std::string>(row[0]) == "IK-BA is the most accurate"; });
+      table.rows, [](const auto& row) { return std::get<std::string>(row[1]) == "IK-BA is the most accurate"; });
   REQUIRE(most != table.rows.end());
-  CHECK(std::get<std::string>((*most)[3]) == "65 hold, 460 fail, 339 open");
+  CHECK(std::get<std::string>((*most)[3]) == "65 hold, 460 fail, 339 inconclusive");
+  const auto& verdict = std::get<ikbench::show::VerdictCell>((*most)[0]);
+  CHECK(verdict.text == "holds by default");
+  CHECK(verdict.tone == ikbench::show::Tone::neutral);
   CHECK(std::get<std::string>(table.rows.back()[3]) == "not counted");
-  CHECK(std::get<ikbench::show::VerdictCell>(table.rows.back()[1]).text == "not tested");
+  CHECK(std::get<ikbench::show::VerdictCell>(table.rows.back()[0]).text == "not tested");
   CHECK(contains(show::to_text(means_table(repeated(study))), "0.00194 cm   0.0019 "));
   const std::string text = screen({"A sentence."}, {.caption = "Table"}, claims);
-  CHECK(text.find("\nholds  ") < text.find("\nnot tested  "));
-  CHECK(contains(text, "864 readings"));
-  CHECK(contains(text, "(65, 460, 339)"));
+  CHECK(text.find("\nholds by default  ") < text.find("\nnot tested  "));
+  CHECK(contains(text, "inconclusive in 864 interpretations"));
+  CHECK(contains(text, "(65/460/339)"));
 }

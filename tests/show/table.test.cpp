@@ -72,9 +72,9 @@ TEST_CASE("an end that an interval excludes says so in every format, and none is
 
 TEST_CASE("readers see three digits, units, marks and small p-values", "[show]") {
   CHECK(to_text(with_label("mine")) ==
-        "solver   error        printed   interval     p          n    time\n"
-        "mine     0.123 mm     -         0.333 to 2   < 0.0001   20   4200 *\n"
-        "plain    1.5e-07 mm   0.0000    -            0.0005     -    ≤ 0.1\n"
+        "solver   error        paper    interval     p          n    time\n"
+        "mine     0.123 mm     -        0.333 to 2   < 0.0001   20   4200 *\n"
+        "plain    1.5e-07 mm   0.0000   -            0.0005     -    ≤ 0.1\n"
         "mine\n");
   const std::string latex = to_latex(with_label("mine"));
   CHECK(contains(latex,
