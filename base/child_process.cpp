@@ -178,7 +178,8 @@ ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem
     throw std::invalid_argument(fmt::format(
         "cannot start \"{0}\": {1}", words[0],
         error == ENOENT && std::filesystem::exists(folder / words[0], none)
-            ? fmt::format("it is not on the PATH; the file here is ./{}, or its interpreter comes first", words[0])
+            ? fmt::format("it is not on the PATH; a file in this folder is ./{}; a script needs its interpreter first",
+                          words[0])
             : std::strerror(error)));
   }
   lifeline_ = lifeline.take(1);
@@ -194,7 +195,7 @@ ChildProcess::Ran ChildProcess::run(const std::vector<std::string>& words, const
     ChildProcess process(words, folder, std::move(variables));
     process.end_input();
     const Clock::time_point deadline = Clock::now() + std::chrono::minutes(1);
-    while (process.output_ >= 0) process.wait(-1, deadline, "it took more than a minute");
+    while (process.output_ >= 0) process.wait(-1, deadline, "it took more than 1 minute");
     process.end(std::chrono::seconds(1));
     return {WIFEXITED(process.status_) && WEXITSTATUS(process.status_) == 0, process.read_ + process.wrote_};
   } catch (const ProcessFailure& failure) {
@@ -258,7 +259,7 @@ void ChildProcess::write(std::string_view text, Clock::time_point deadline) {
     if (size >= 0)
       text.remove_prefix(static_cast<std::size_t>(size));
     else if (errno == EAGAIN)
-      wait(input_, deadline, "it does not read what it is told");
+      wait(input_, deadline, "it does not read its messages");
     else if (errno != EINTR)
       throw ProcessFailure{ProcessFailure::Kind::crashed, "it ended"};
   }
@@ -313,7 +314,7 @@ std::string ChildProcess::end_after(ProcessFailure::Kind failure) {
   std::string_view last = wrote_;
   last = last.substr(0, last.find_last_not_of("\n ") + 1);
   last = last.substr(last.find_last_of('\n') + 1);
-  if (!last.empty()) text += fmt::format("; its last words: {}", one_line(front(last, 200)));
+  if (!last.empty()) text += fmt::format("; its last output: {}", one_line(front(last, 200)));
   return text;
 }
 

@@ -41,7 +41,7 @@ class Reader {
       while (separator_ == ' ' && take(" ")) {
       }
       if (cells_.size() == max_csv_columns)
-        refuse(fmt::format("too many columns; expected at most {}", max_csv_columns));
+        refuse(fmt::format("there are too many columns; expected at most {}", max_csv_columns));
       cells_.push_back(take("\"") ? quoted_cell() : plain_cell());
     } while (take({&separator_, 1}));
     if (separator_ == ' ' && cells_.size() > 1 && cells_.back().empty()) cells_.pop_back();  // blanks at the end
@@ -121,7 +121,8 @@ bool is_formula(std::string_view cell) {
 
 // Returns advice on a first row that has another number of cells than the header.
 std::string_view advice_on_title(std::size_t cells, std::size_t columns) {
-  return cells == columns + 1 ? "; write a title also above names of rows" : "; begin a title above the header with #";
+  return cells == columns + 1 ? "; write a title above the names of rows, too"
+                              : "; begin a title above the header with #";
 }
 
 }  // namespace
@@ -139,9 +140,10 @@ void append_csv_cell(std::string& text, std::string_view cell) {
 std::size_t CsvTable::column(std::string_view name) const {
   const auto found = std::find(header.begin(), header.end(), name);
   if (found == header.end())
-    throw std::invalid_argument(fmt::format("no column '{}'; expected one of: {}", name, fmt::join(header, ", ")));
+    throw std::invalid_argument(
+        fmt::format("there is no column '{}'; expected one of: {}", name, fmt::join(header, ", ")));
   if (std::find(found + 1, header.end(), name) != header.end())
-    throw std::invalid_argument(fmt::format("two columns '{}'; expected one", name));
+    throw std::invalid_argument(fmt::format("there are two columns '{}'; expected one", name));
   return static_cast<std::size_t>(found - header.begin());
 }
 
@@ -157,7 +159,7 @@ void expect_text(std::string_view text, std::string_view source) {
   if (broken == std::string_view::npos) return;
   throw std::invalid_argument(fmt::format("{}:{}: {}; expected text in UTF-8", source,
                                           1 + std::ranges::count(text.substr(0, broken), '\n'),
-                                          text[broken] == 0 ? "a NUL byte" : "letters in another code"));
+                                          text[broken] == 0 ? "a NUL byte" : "letters in another encoding"));
 }
 
 std::string csv_text(std::istream& stream, const std::string& source) {

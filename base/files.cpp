@@ -125,7 +125,7 @@ void write_through(const fs::path& file, const Contents& contents) {
   const bool is_there = fs::exists(file, none);
   if (is_there && !fs::is_regular_file(file, none))  // checked first, since the name of a pipe cannot be resolved
     throw std::invalid_argument(
-        fmt::format("'{}' is no regular file; choose one, or redirect the output", file.string()));
+        fmt::format("'{}' is not a regular file; choose one, or redirect the output", file.string()));
   write_whole(is_there ? fs::canonical(file, none) : file, contents, true);
 }
 

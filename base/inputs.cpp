@@ -27,11 +27,11 @@ std::string text_of_file(const std::filesystem::path& file, std::uintmax_t max_b
   const std::optional<std::string> text = read_file(file, max_bytes);  // the size of a file may be unknown
   std::error_code none;
   if (!text && std::filesystem::exists(file, none))
-    throw std::invalid_argument(fmt::format("{} is no regular file", file.string()));
+    throw std::invalid_argument(fmt::format("{} is not a regular file", file.string()));
   if (!text) throw std::invalid_argument(fmt::format("there is no file {}", file.string()));
   if (text->size() > max_bytes)
-    throw std::invalid_argument(
-        fmt::format("{}: expected a file of at most {:g} MB", file.string(), static_cast<double>(max_bytes) / 1e6));
+    throw std::invalid_argument(fmt::format("{} is too large; expected a file of at most {:g} MB", file.string(),
+                                            static_cast<double>(max_bytes) / 1e6));
   return *text;
 }
 

@@ -68,7 +68,7 @@ std::string advice_on_unit(std::string_view text, std::string_view title) {
   for (const char* spread : {"\u00b1", "+/-", "+-", "\\pm", "$\\pm", "("})
     if (rest.starts_with(spread))
       return fmt::format(
-          "is a mean with its spread: write {} alone to compare it as a value, or columns name, n, mean and sd for "
+          "is a mean with its spread: write only {} to compare it as a value, or columns name, n, mean and sd for "
           "--summaries",
           number);
   if (!is_one_of(rest, {"%", "ns", "us", "\u00b5s", "\u03bcs", "ms", "s", "min", "h", "mm", "cm", "m", "deg", "rad"}))
@@ -167,9 +167,11 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
   form.separator = separator_ = has_sep ? said : separator_of(text);
   if (const std::string_view line = trimmed(text.substr(0, text.find('\n')));
       line.starts_with('\\') || line.ends_with('\\'))
-    refuse("a table in LaTeX; write a comma in place of each &, and leave out what begins with a backslash");
+    refuse("this is a table in LaTeX; replace each & by a comma, and remove everything that begins with a backslash");
   if (std::ranges::count(text, '\n') > max_lines + 1)
-    refuse(fmt::format("more than {} rows; expected at most that: compare a part, or means of runs", max_lines));
+    refuse(
+        fmt::format("there are more than {} rows; expected at most that many; compare a part of them, or means of runs",
+                    max_lines));
   table_ = parse_csv(text, source, form);
   form.has_header = header == Header::required || !std::ranges::all_of(table_.header, is_number);
   if (!form.has_header) table_ = parse_csv(text, source, form);
@@ -177,13 +179,13 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
   decimals_.assign(titles_.size(), 0);
   refuse_second_header();
   if (const auto empty = std::ranges::count(titles_, ""); empty > 1 && empty + 1 == std::ssize(titles_))
-    refuse(fmt::format("{} stands alone in the header; begin a title above it with #", in_quotes(titles_.front())));
+    refuse(fmt::format("the header has only {}; if this is a title, begin it with #", in_quotes(titles_.front())));
   for (std::size_t i = 0; i < titles_.size(); ++i)
     if (titles_[i].empty()) titles_[i] = unnamed(i);  // such as the index of pandas
   const auto number = std::ranges::find_if(titles_, is_number);
   if (form.has_header && number != titles_.end())
-    refuse(fmt::format("{} in the header; expected names of columns in the first line{}", in_quotes(*number),
-                       is_number(titles_.front()) ? "" : "; runs and steps of a curve stand below each other"));
+    refuse(fmt::format("the header has {}; expected names of columns in the first line{}", in_quotes(*number),
+                       is_number(titles_.front()) ? "" : "; write the runs and steps of a curve below each other"));
   std::vector<std::uint32_t> marked;  // rows
   for (std::uint32_t row = 0; row < table_.rows(); ++row) {
     std::size_t filled = 0, last = 0;
@@ -194,15 +196,15 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
     }
     if (is_comment(table_.cell(row, 0))) marked.push_back(row);
     if (filled == 1 && titles_.size() > 2 && !is_number(cell(row, last)))
-      refuse(row, last, "stands alone in its row: leave it out, or write NA where values are missing");
+      refuse(row, last, "is the only cell of its row; remove it, or write NA for missing values");
     if (filled > 0) rows_.push_back(row);
   }
   if (!marked.empty() && marked.size() < table_.rows())
-    refuse(marked.front(), 0, "begins as a comment does: take its row out, or rename what it is");
+    refuse(marked.front(), 0, "begins like a comment; remove its row, or rename it");
   if (titles_.size() == 1)
     refuse(
-        "one column, but names of groups and values take two; cells are parted by a comma, semicolon, tab, bar or blanks");
-  if (rows_.empty()) refuse("no rows below the header; expected at least one");
+        "there is only one column; expected one of names and one of values, separated by a comma, semicolon, tab, bar or blanks");
+  if (rows_.empty()) refuse("there are no rows below the header; expected at least one");
 }
 
 std::size_t Sheet::choose(std::string_view condition) {
@@ -216,15 +218,15 @@ std::size_t Sheet::choose(std::string_view condition) {
   const std::string first(cell(rows_.front(), chosen));
   std::erase_if(rows_, [&](std::uint32_t row) { return cell(row, chosen) != value; });
   if (rows_.empty())
-    refuse(
-        fmt::format("no row has {}; the first has {}", in_quotes(condition), in_quotes(titles_[chosen] + "=" + first)));
+    refuse(fmt::format("no row has {}; the first row has {}", in_quotes(condition),
+                       in_quotes(titles_[chosen] + "=" + first)));
   return chosen;
 }
 
 void Sheet::leave_out(const std::vector<std::uint32_t>& rows) {
   const std::set<std::uint32_t> others(rows.begin(), rows.end());
   std::erase_if(rows_, [&](std::uint32_t row) { return others.contains(row); });
-  if (rows_.empty()) refuse("each row sums up others; expected their values, too");
+  if (rows_.empty()) refuse("every row summarises other rows; expected their values, too");
 }
 
 std::string_view Sheet::cell(std::size_t row, std::size_t column) const {
@@ -245,9 +247,9 @@ std::size_t Sheet::column(std::string_view name) {
     return titles_.size() - 1;
   }
   const auto first = static_cast<std::size_t>(std::ranges::find(titles_, name) - titles_.begin());
-  if (number > 1) refuse(fmt::format("{} columns {}; give them different names", number, in_quotes(name)));
+  if (number > 1) refuse(fmt::format("{} columns are named {}; give them different names", number, in_quotes(name)));
   if (number == 0)
-    refuse(fmt::format("no column {}{}; there are {}", in_quotes(name), did_you_mean(name, titles_),
+    refuse(fmt::format("there is no column {}{}; expected one of {}", in_quotes(name), did_you_mean(name, titles_),
                        front(listed(titles_, ", "), 300)));
   return first;
 }
@@ -264,7 +266,7 @@ std::size_t Sheet::joined(const std::vector<std::string>& names) {
     if (std::ranges::any_of(parts, is_empty)) continue;
     for (const std::size_t part : parts) {
       if (cell(row, part).find(joint) != std::string_view::npos)
-        refuse(row, part, fmt::format("has \"{}\", which joins several columns; use another mark", joint));
+        refuse(row, part, fmt::format("has \"{}\", which joins the names of several columns; replace it", joint));
       texts[row].append(texts[row].empty() ? "" : joint).append(cell(row, part));
     }
   }
@@ -318,9 +320,10 @@ char Sheet::decimal_of(std::size_t column) {
   // If commas separate cells, points are of decimals.
   if (marks_->empty() && separator_ == ',' && text.find(',') == std::string_view::npos) return '.';
   refuse(*doubtful, column,
-         fmt::format("is {} with a decimal point and {} with a decimal comma, and no cell tells which: write a digit "
-                     "more, or say --decimal (ikbench stats)",
-                     *parsed(text, '.'), *parsed(text, ',')));
+         fmt::format(
+             "is {} with a decimal point and {} with a decimal comma, and no cell shows which is meant; write one more "
+             "digit, or add --decimal (ikbench stats)",
+             *parsed(text, '.'), *parsed(text, ',')));
 }
 
 double Sheet::number(std::size_t row, std::size_t column) {
@@ -330,16 +333,15 @@ double Sheet::number(std::size_t row, std::size_t column) {
   const auto value = decimals_[column] == of_truth ? truth(text) : parsed(text, decimals_[column]);
   if (!value && is_number(text))
     refuse(row, column,
-           fmt::format("is no number with a decimal {}; --decimal says what marks decimals",
+           fmt::format("is not a number with a decimal {}; to choose the other decimal mark, add --decimal",
                        decimals_[column] == ',' ? "comma" : "point"));
   if (const std::string advice = value ? "" : advice_on_unit(text, titles_[column]); !advice.empty())
     refuse(row, column, advice);
   if (!value)
-    refuse(row, column,
-           "is no number: write NA where there is none, inf where there was no answer, the unit in the header");
+    refuse(row, column, "is not a number; write NA for a missing value, inf for no answer, and units in the header");
   const double size = std::abs(*value);  // tests compute squares of squares
   if (std::isfinite(size) && size != 0 && (size < 1e-60 || size > 1e60))
-    refuse(row, column, "is beyond what can be compared, 1e-60 to 1e60");
+    refuse(row, column, "is out of range; expected 1e-60 to 1e60");
   return *value;
 }
 

@@ -49,12 +49,15 @@ std::string_view line_of(std::string_view text, std::size_t number) {
 std::string toml_mistake(std::string_view line, std::string_view description) {
   const std::size_t begin = line.find_first_not_of(" \t\r");
   if (begin != std::string_view::npos && line[begin] == '<')
-    return "not TOML, but perhaps XML such as URDF, since it begins with '<'; expected key = value";
+    return "not TOML: the line begins with '<', as in XML or URDF; expected key = value";
   std::ptrdiff_t quotes = 0;
   for (std::size_t at = 0; at < line.size() && (line[at] != '#' || quotes % 2 != 0); ++at)
     quotes += line[at] == '"' && (at == 0 || line[at - 1] != '\\');
   if (quotes % 2 != 0) return "a quote is not closed in this line; expected one more \"";
-  return fmt::format("not TOML: {}", description);
+  constexpr std::string_view opening = "Error while parsing ";  // then what is parsed, which readers need not know
+  const std::size_t colon = description.find(": ");
+  if (description.starts_with(opening) && colon != std::string_view::npos) description.remove_prefix(colon + 2);
+  return fmt::format("not TOML: {}; expected [table] or key = value", description);
 }
 
 }  // namespace
@@ -75,9 +78,8 @@ void refuse_deep_keys(std::string_view text, std::string_view source) {
     if (text[at] == '\n' || text[at] == ',') dots = 0;
     if (text[at] == '.') ++dots;
     if (dots > max_dots)
-      throw std::invalid_argument(
-          fmt::format("{}:{}:{}: not readable TOML: {} dots in a row; expected less deeply nested keys", source, line,
-                      at - begin + 1, dots));
+      throw std::invalid_argument(fmt::format("{}:{}:{}: a key has {} dots in a row; expected less deeply nested keys",
+                                              source, line, at - begin + 1, dots));
   }
 }
 

@@ -127,15 +127,16 @@ std::string fault_text(const Attempt& attempt, const CheckedProgram& checked) {
   if (report.failure) return checked.processes.last_failure();
   if (!attempt.q.allFinite()) return not_finite_text(attempt.q);
   const double outside = checked.arm.limits.violation(attempt.q);
-  if (outside > 1e-9) return fmt::format("its answer is {:.3g} rad or m outside", outside);
+  if (outside > 1e-9) return fmt::format("its answer is {:.3g} rad or m outside the joint limits", outside);
   if (std::abs(report.reported_error - attempt.error) > program_report_tolerance)  // false for NaN: none was reported
-    return fmt::format("it says that it is {:.9g} m off, and is {:.9g} m off", report.reported_error, attempt.error);
-  return report.ignored_budget ? "it asks for more evaluations after it is told that its budget is used up" : "";
+    return fmt::format("it reports an error of {:.9g} m, but the error is {:.9g} m", report.reported_error,
+                       attempt.error);
+  return report.ignored_budget ? "it asks for more evaluations after the message that its budget is used up" : "";
 }
 
 std::string evaluations_text(const ProcessReport& report) {
   if (report.counted_by == CountedBy::ikbench) return counted(report.evaluations, "evaluations") + ", counted here";
-  return report.counted_by == CountedBy::solver ? "own kinematics; its own count" : "own kinematics; it counts nothing";
+  return report.counted_by == CountedBy::solver ? "own kinematics, self-reported count" : "own kinematics, no count";
 }
 
 // All checks of one program, which the constructor makes.
@@ -145,7 +146,7 @@ class Checks {
     try {
       check(probe(choice, {}));
     } catch (const std::invalid_argument& error) {
-      line("it says hello", error.what());
+      line("hello message", error.what());
     }
   }
 
@@ -159,14 +160,14 @@ class Checks {
   }
 
   void check(const std::shared_ptr<const Program>& program) {
-    line("it says hello", "", fmt::format("{} {}", program->hello.name, program->hello.version));
+    line("hello message", "", fmt::format("{} {}", program->hello.name, program->hello.version));
     std::unique_ptr<CheckedProgram> chosen;  // with goals of the first kind that the program does not decline
     Attempt first;
     for (const auto& [kind, name] : {std::pair(GoalKind::position, "a position"),
                                      {GoalKind::axis, "a position and an axis"},
                                      {GoalKind::pose, "a pose"}}) {
       if (!program->hello.solves(kind)) {
-        line(fmt::format("it answers for {}", name), "", "its hello names other goals");
+        line(fmt::format("it solves for {}", name), "", "its hello message does not name this goal");
         continue;
       }
       auto checked = std::make_unique<CheckedProgram>(program, arm_, kind);
@@ -176,7 +177,7 @@ class Checks {
       chosen = std::move(checked);
       first = attempt;
     }
-    if (!chosen) return line("it solves one of these", "it declines them all");
+    if (!chosen) return line("it solves for one of these goals", "it declines them all");
     const GoalKind kind = chosen->goal.kind;
     Robot endless = example_arm();
     endless.limits.upper[0] = std::numeric_limits<double>::infinity();
@@ -185,8 +186,8 @@ class Checks {
     CheckedProgram continuous(program, endless, kind);
     CheckedProgram prismatic(program, example_arm(Joint::slides), kind);
     CheckedProgram unreachable(program, arm_, kind, 10);
-    check_answer("a joint that turns without end", continuous);
-    check_answer("a joint that slides", prismatic);
+    check_answer("a continuous joint", continuous);
+    check_answer("a prismatic joint", prismatic);
     check_repeated(*chosen, second, first);
     if (program->hello.takes_batches) check_batch(*program, kind, first);
     check_budgets(unreachable);
@@ -213,7 +214,7 @@ class Checks {
     checked.send_batch();
     const Attempt attempt = checked.solve_once();
     const bool is_off = attempt.report.failure || !(attempt.error <= 2 * std::max(usual_budget.tolerance, alone.error));
-    line("it answers the first of 20 poses in a batch as alone",
+    line("in a batch of 20 poses it answers the first as well as without a batch",
          !is_off ? "" : fmt::format("{:.2g} m off; {}", attempt.error, checked.processes.last_failure()));
   }
 
@@ -234,9 +235,9 @@ class Checks {
     }
     std::string wrong;
     if (different > 0)
-      wrong = fmt::format("{} differ in another process", different);
+      wrong = fmt::format("{} answers differ in another process", different);
     else if (chosen.solve_once().q != first.q)
-      wrong = "not when it solves again";
+      wrong = "the answer differs when it solves again";
     line(fmt::format("the same seed gives the same answer for {} poses", poses), wrong);
     const std::string seen = fmt::format("{} within {:g} m and {:g} rad, {} more within twice that", reached,
                                          usual_budget.tolerance, usual_budget.angle_tolerance, near);
@@ -259,24 +260,25 @@ class Checks {
                          counted(used.iterations, "iterations"));
     };
     constexpr StopRule in_time{.iterations = 1'000'000, .tolerance = 1e-4, .seconds = 0.05};
-    line(fmt::format("it keeps a budget of 50 ms, {:g} at most, for a target out of reach",
+    line(fmt::format("it keeps a budget of 50 ms ({:g} ms at most) for an unreachable target",
                      1000 * max_budget_ratio * in_time.seconds),
          overrun(in_time, 5));
     if (!checked.processes.last_failure().empty()) return;
     std::string wrong = overrun({.iterations = 100, .tolerance = 1e-4, .evaluations = 40});
     if (wrong.empty()) wrong = overrun({.iterations = 10, .tolerance = 1e-4});
-    line("it keeps a budget of 40 evaluations, and one of 10 iterations, half more at most", wrong);
+    line("it keeps a budget of 40 evaluations, and one of 10 iterations (at most half more)", wrong);
   }
 
   // Ends the input of the last process, which then has to exit.
   void check_end(WorkerProcess last) {
     if (last.child) last.child->end_input();
-    const ProcessFailure heard = last.child ? unsolicited_message(*last.child, 2)
-                                            : ProcessFailure{ProcessFailure::Kind::declined, "it had ended before"};
+    const ProcessFailure heard =
+        last.child ? unsolicited_message(*last.child, 2)
+                   : ProcessFailure{ProcessFailure::Kind::declined, "it had ended before its input did"};
     std::string wrong = heard.why;
     if (heard.kind == ProcessFailure::Kind::crashed) wrong = "";
     if (heard.kind == ProcessFailure::Kind::timed_out) wrong = "it still ran after 2 s";
-    line("it answers once, and ends when its input does", wrong);
+    line("it answers each message once, and ends when its input ends", wrong);
   }
 };
 
@@ -284,23 +286,23 @@ std::string summary_of(std::size_t checks, std::size_t failed) {
   constexpr std::size_t full_number = 11;  // fewer if a failure makes the others useless
   if (failed == 0) return fmt::format("All {} checks passed.", checks);
   return fmt::format("{} of {} checks failed{}", failed, checks,
-                     checks < full_number ? "; mend it, then those after it are made." : ".");
+                     checks < full_number ? "; fix it, and the rest will run." : ".");
 }
 
 }  // namespace
 
 void add_check_solver(const Command& command, Invocation& invocation) {
   auto choice = std::make_shared<ProgramSpec>(ProgramSpec{.process = {}, .files = {}, .timeout = 5});
-  command.add("COMMAND", &choice->process, "the program and its arguments, after --").required();
-  command.add("--patience", &choice->timeout, "seconds after which a solve is given up").number_in({0.1, 3600});
+  command.add("COMMAND", &choice->process, "the solver and its arguments, after --").required();
+  command.add("--patience", &choice->timeout, "seconds after which a solve is aborted").number_in({0.1, 3600});
   auto robot_name = std::make_shared<std::string>();
   command.add("--robot", robot_name.get(),
-              "an arm of ikbench list robots, for a solver that knows some kinds of arms alone");
+              "arm to use (ikbench list robots), for a solver that supports only some kinds of arms");
   command.footer(
       "  ikbench check-solver -- python3 my_solver.py\n"
       "  ikbench check-solver --robot ur5e -- python3 my_closed_form.py\n"
       "  ikbench check-solver --patience 60 -- octave-cli --quiet my_solver.m\n\n"
-      "Exit code 1 where a check fails. docs/reference/protocol.md describes what a program has to say.");
+      "The exit code is 1 if a check fails. docs/reference/protocol.md describes the messages.");
   command.callback([choice, robot_name, &invocation] {
     std::vector<CheckLine> lines = Checks(*choice, robot_name->empty() ? example_arm() : robot(*robot_name)).lines;
     const auto failed = static_cast<std::size_t>(std::ranges::count(lines, false, &CheckLine::passed));

@@ -92,13 +92,12 @@ std::vector<std::string> requested_labels(const StudyInStore& a, const StudyInSt
   std::vector<std::string> labels = arguments.labels;
   if (labels.empty()) {
     labels = a.labels();
-    if (labels.empty()) throw std::invalid_argument(fmt::format("{} has no solvers to compare", arguments.a));
+    if (labels.empty()) throw std::invalid_argument(fmt::format("{} has no solver to compare", arguments.a));
     std::vector<std::string> missing = labels;
     std::erase_if(missing, [&](const std::string& label) { return std::ranges::count(b.labels(), label) > 0; });
     if (!missing.empty())
-      throw std::invalid_argument(
-          fmt::format("not compared: the candidate lacks {}; run it too, or name with --label those to compare",
-                      show::listed(missing)));
+      throw std::invalid_argument(fmt::format(
+          "the candidate lacks {}; run it too, or choose the solvers to compare with --label", show::listed(missing)));
   }
   for (const std::string& label : labels) {
     if (std::ranges::count(labels, label) > 1)
@@ -123,10 +122,10 @@ std::vector<RegressionCheck> compare_all(const CompareArguments& arguments) {
   }
   const StudyInStore a(arguments.a, arguments.study), b(arguments.b, arguments.study);
   if (arguments.study.empty() && a.entry.name != b.entry.name)
-    throw std::invalid_argument(
-        fmt::format("the first study of A is {}, of B {}; expected one name for both: --study NAME if both stores have "
-                    "it, else run B's study with the name of A's into a new folder (--out)",
-                    a.entry.name, b.entry.name));
+    throw std::invalid_argument(fmt::format(
+        "the first study of A is {}, that of B is {}; expected one name: if both stores have it, add --study "
+        "NAME; otherwise run B's study under A's name, with --out NEW",
+        a.entry.name, b.entry.name));
   const std::vector<std::string> labels = requested_labels(a, b, arguments);
   checks = checks_by_label(a, b, labels, arguments, options);
   judge_all(checks);
@@ -137,34 +136,70 @@ std::vector<RegressionCheck> compare_all(const CompareArguments& arguments) {
 std::string not_tested_text(const show::ReportModel& answer, const JudgedMetric& judged) {
   const auto* const not_tested = std::get_if<NotTested>(&judged.comparisons.front().result);
   if (not_tested != nullptr) return show::reason_text(*not_tested, show::observation_noun(answer, judged));
-  return fmt::format("neither has {} any {}", judged.samples.quantity, answer.noun);
+  return fmt::format("neither has a value of {}", judged.samples.quantity);
 }
 
-// Returns how the candidate relates to the baseline, in the middle of a sentence.
-const char* relation_text(const RegressionCheck& check) {
-  using enum RegressionOutcome;
-  if (check.has(worse)) return "is worse than";
-  if (check.has(better)) return "is better than";
-  if (check.new_failures > 0) return "against";
-  if (check.has(inconclusive) || check.has(not_tested)) return "is not shown to be worse than";
-  if (check.has(worse_below_margin)) return "is not worse by more than the margin than";
-  return "is not worse than";
+// The findings of a check, on which its sentence depends.
+enum Finding : unsigned { worse = 1, better = 2, failures = 4, inconclusive = 8, untested = 16, within_margin = 32 };
+
+// A sentence for the checks that have all of `findings`.
+struct SentenceCase {
+  unsigned findings;
+  const char* sentence;
+};
+
+// The first case that fits a check makes its sentence.
+constexpr SentenceCase sentence_cases[]{
+    {worse | better | inconclusive,
+     "{candidate} is worse than {baseline} in {worse}, but better in {better}; {unclear} inconclusive."},
+    {worse | better, "{candidate} is worse than {baseline} in {worse}, but better in {better}."},
+    {worse | inconclusive, "{candidate} is worse than {baseline} in {worse}; {unclear} inconclusive."},
+    {worse, "{candidate} is worse than {baseline} in {worse}."},
+    {better | inconclusive, "{candidate} is better than {baseline} in {better}; {unclear} inconclusive."},
+    {better, "{candidate} is better than {baseline} in {better}."},
+    {failures | inconclusive, "{candidate} has {failures}, compared with {baseline}; {unclear} inconclusive."},
+    {failures, "{candidate} has {failures}, compared with {baseline}."},
+    {inconclusive, "{candidate} is not shown to be worse than {baseline} in {any} (inconclusive)."},
+    {untested, "{candidate} is not shown to be worse than {baseline}."},
+    {within_margin, "{candidate} is not worse than {baseline} by more than the margin."},
+    {0, "{candidate} is not worse than {baseline}."}};
+
+unsigned findings_of(const RegressionCheck& check) {
+  unsigned found = 0;
+  if (check.new_failures > 0) found = failures;
+  for (const auto& [outcome, finding] : {std::pair(RegressionOutcome::worse, worse),
+                                         {RegressionOutcome::better, better},
+                                         {RegressionOutcome::inconclusive, inconclusive},
+                                         {RegressionOutcome::not_tested, untested},
+                                         {RegressionOutcome::worse_below_margin, within_margin}})
+    if (check.has(outcome)) found |= finding;
+  return found;
 }
 
-// Returns "mine is worse than PSO: in solved and error." or "mine against PSO: new: 1 solve without an answer."
+// Returns "joint motion is" or "error and joint motion are".
+std::string with_verb(const std::vector<std::string>& quantities) {
+  const std::string all = show::listed(quantities);
+  const std::string first = all.substr(0, all.find(' '));  // "targets", "evaluations" or "joint"
+  return all + (quantities.size() > 1 || first.ends_with('s') ? " are" : " is");
+}
+
+// Returns "mine is worse than PSO in targets solved and error; joint motion is inconclusive."
 std::string relation_sentence(const RegressionCheck& check, const std::string& candidate) {
-  std::vector<std::string> parts;
-  const std::vector<std::string> worse = check.quantities(RegressionOutcome::worse);
-  const std::vector<std::string> better = check.quantities(RegressionOutcome::better);
-  if (!worse.empty()) parts.push_back("in " + show::listed(worse));
-  if (!better.empty()) parts.push_back((worse.empty() ? "in " : "better in ") + show::listed(better));
-  if (check.new_failures > 0)
-    parts.push_back(fmt::format("new: {} without an answer", base::counted(check.new_failures, "solves")));
-  return fmt::format("{} {} {}{}{}.", candidate, relation_text(check), check.baseline, parts.empty() ? "" : ": ",
-                     show::listed(parts, ", "));
+  const unsigned found = findings_of(check);
+  const auto fits = [&](const SentenceCase& each) { return (each.findings & ~found) == 0; };
+  const SentenceCase& chosen = *std::ranges::find_if(sentence_cases, fits);
+  const std::string failed = base::counted(check.new_failures, "new failures") + " (no answer)";
+  const std::vector<std::string> unclear = check.quantities(RegressionOutcome::inconclusive);
+  std::string text = fmt::format(
+      fmt::runtime(chosen.sentence), fmt::arg("candidate", candidate), fmt::arg("baseline", check.baseline),
+      fmt::arg("worse", show::listed(check.quantities(RegressionOutcome::worse))),
+      fmt::arg("better", show::listed(check.quantities(RegressionOutcome::better))), fmt::arg("failures", failed),
+      fmt::arg("unclear", with_verb(unclear)), fmt::arg("any", show::listed(unclear, " or ")));
+  if ((found & failures) != 0 && (chosen.findings & failures) == 0) text += fmt::format(" It also has {}.", failed);
+  return text;
 }
 
-// Returns the sentences of one check: "mine is worse than PSO: in solved and error. Not decided: joint motion."
+// Returns the sentences of one check: "mine is worse than PSO in error. Not tested: time (2 runs)."
 std::string verdict_text(const RegressionCheck& check, const show::ReportModel& answer) {
   const std::string& candidate = check.label.empty() ? check.candidate : check.label;
   if (!check.is_compared)
@@ -174,8 +209,6 @@ std::string verdict_text(const RegressionCheck& check, const show::ReportModel& 
   if (check.has(RegressionOutcome::worse_below_margin))
     text += fmt::format(" Worse by less than the margin: {}.",
                         show::listed(check.quantities(RegressionOutcome::worse_below_margin)));
-  if (check.has(RegressionOutcome::inconclusive))
-    text += fmt::format(" Not decided: {}.", show::listed(check.quantities(RegressionOutcome::inconclusive)));
   const std::vector<std::string> not_tested = check.quantities(RegressionOutcome::not_tested);
   show::NamesByPhrase untested;  // quantities by the reason
   for (const JudgedMetric& judged : check.judged.metrics) {
@@ -189,17 +222,18 @@ std::string verdict_text(const RegressionCheck& check, const show::ReportModel& 
   const std::vector<std::string> also_better = check.quantities(RegressionOutcome::better, false);
   if (!also_worse.empty()) others.push_back("worse in " + show::listed(also_worse));
   if (!also_better.empty()) others.push_back("better in " + show::listed(also_better));
-  const char* const why = check.options.metrics.empty() ? "Not in the plan" : "Not asked for";
-  if (!others.empty()) text += fmt::format(" {}: {}.", why, fmt::join(others, "; "));
+  const char* const why = check.options.metrics.empty() ? "not in the plan" : "not in --metric";
+  if (!others.empty()) text += fmt::format(" Not counted ({}): {}.", why, fmt::join(others, "; "));
   const JudgedMetric& last_asked = answer.metrics[answer.questions.back().metric];
   const bool is_time_tie_breaker =
       answer.questions.size() > 1 && last_asked.samples.quantity_kind == QuantityKind::time;
   if (check.label.empty() && !check.counts_times() && is_time_tie_breaker)
-    text += " Times decide nothing here. " + show::tie_breaker_sentence(answer);
+    text += " Times are not counted here. " + show::tie_breaker_sentence(answer);
   return text;
 }
 
-// Returns "Lost: run 57; won: none; the other 199 are the same to the bit."; empty if no target changed.
+// Returns "Newly unsolved: run 57; newly solved: none; the other 199 solves are identical."; empty if no target
+// changed.
 std::string changed_targets_text(const RegressionCheck& check) {
   constexpr std::size_t max_names = 10;
   const std::size_t changed = check.newly_unsolved.size() + check.newly_solved.size();
@@ -213,9 +247,9 @@ std::string changed_targets_text(const RegressionCheck& check) {
   };
   const auto rest = check.judged.metrics.back().descriptives.front().n - static_cast<int>(changed);
   const std::string same = check.identical_solves == rest
-                               ? fmt::format("the other {} are the same to the bit", rest)
-                               : fmt::format("the same to the bit: {} of the other {}", check.identical_solves, rest);
-  return fmt::format("{}: {}; won: {}; {}.", check.label.empty() ? "Lost" : check.label + " lost",
+                               ? fmt::format("the other {} solves are identical", rest)
+                               : fmt::format("identical: {} of the other {} solves", check.identical_solves, rest);
+  return fmt::format("Newly unsolved{}: {}; newly solved: {}; {}.", check.label.empty() ? "" : " by " + check.label,
                      names_text(check.newly_unsolved), names_text(check.newly_solved), same);
 }
 
@@ -232,8 +266,7 @@ std::string identical_text(const std::vector<RegressionCheck>& checks) {
     solves += check.judged.metrics.back().descriptives.front().n;
   }
   if (names.empty()) return "";
-  return fmt::format("{}: all solves are the same, bit for bit ({}).", show::listed(names),
-                     base::counted(solves, "solves"));
+  return fmt::format("{}: all {} are identical, bit for bit.", show::listed(names), base::counted(solves, "solves"));
 }
 
 show::ReportModel make_report_model(const RegressionCheck& check) {
@@ -242,15 +275,17 @@ show::ReportModel make_report_model(const RegressionCheck& check) {
   return answer;
 }
 
-// Returns what times of this check decide, as the predicate of a sentence.
-std::string times_text(const RegressionCheck& check) {
-  if (!check.counts_times()) return "do not count in the exit code";
+// Returns a sentence on what times of this check decide.
+std::string times_sentence(const RegressionCheck& check) {
+  if (!check.counts_times() && check.label.empty()) return "Times do not affect the exit code.";
+  if (!check.counts_times())
+    return "Times are from different sessions: they are not compared and do not affect the exit code.";
   const auto time = std::ranges::find_if(check.judged.metrics, [](const JudgedMetric& judged) {
     const bool is_share = show::is_success_rate(judged);  // of targets solved in time
     return judged.samples.quantity_kind == QuantityKind::time && !is_share;
   });
-  if (time == check.judged.metrics.end()) return "are not known";
-  return fmt::format("decide by a margin of {}", show::margin_text(*time));
+  if (time == check.judged.metrics.end()) return "Times are not known.";
+  return fmt::format("Times decide, with a margin of {}.", show::margin_text(*time));
 }
 
 // Returns a note on p and times that holds for all labels; empty if no label may differ.
@@ -259,11 +294,9 @@ std::string common_note(const std::vector<RegressionCheck>& checks) {
   const RegressionCheck& first = checks.front();
   const bool are_of_stores = !first.label.empty();
   const std::size_t metrics = names_in_plan(first.judged.study.definition).size();
-  return fmt::format("p is multiplied by the number of pairs tested of {}{}. Times {}{}.",
-                     are_of_stores ? "all labels" : "all labels of the store",
-                     metrics == 1 ? "" : fmt::format(" and by the {} metrics of the plan", metrics),
-                     !are_of_stores || first.counts_times() ? "" : "of two sessions are not compared, and ",
-                     times_text(first));
+  return fmt::format(
+      "p is multiplied by the number of tested pairs of all labels{}{}. {}", are_of_stores ? "" : " of the store",
+      metrics == 1 ? "" : fmt::format(" and by the {} metrics of the plan", metrics), times_sentence(first));
 }
 
 std::string screen_text(const std::vector<RegressionCheck>& checks) {
@@ -343,31 +376,38 @@ std::string make_markdown(const std::vector<RegressionCheck>& checks) {
 
 void add_compare(const Command& command, Invocation& invocation) {
   auto arguments = std::make_shared<CompareArguments>();
-  command.add("A", &arguments->a, "baseline: a store.sqlite, or with --store a label").required();
-  command.add("B", &arguments->b, "candidate: a store.sqlite, or with --store a label").required();
-  command.add("--store", &arguments->store, "store in which A and B are labels");
+  command.add("A", &arguments->a, "baseline: path of a store.sqlite, or a label of --store").required();
+  command.add("B", &arguments->b, "candidate: path of a store.sqlite, or a label of --store").required();
+  command.add("--store", &arguments->store, "the one store in which A and B are labels");
   add_study_option(command, arguments->study);
-  command.add("--label", &arguments->labels, "with two stores: this solver alone; repeat for more; default: all of A")
+  command
+      .add("--label", &arguments->labels,
+           "with two stores: compare only this solver; repeatable; default: all solvers of A")
       .excludes("--store");
   command.add("--margin", &arguments->margin,
-              "relative difference that matters, such as 10%; default: that of the baseline's plan");
-  command.add("--time-margin", &arguments->time_margin,
-              "times decide, by this margin; two stores must have been solved in turn (cli/gate.sh with OLD)");
+              "smallest relative difference that matters, such as 10%; default: that of the baseline's plan");
+  command.add(
+      "--time-margin", &arguments->time_margin,
+      "let times decide, too, with this margin; two stores must have been solved in alternating rounds (cli/gate.sh "
+      "with OLD)");
   command
       .add("--metric", &arguments->metrics,
-           "only these decide the exit code: solved,evaluations; default: all that the study's plan names")
+           "only these metrics decide the exit code: solved,evaluations; default: all metrics of the study's plan")
       .separated_by_commas();
-  command.add("--strict", &arguments->is_strict, "exit with 4 if nothing is worse but something is not decided");
+  command.add("--strict", &arguments->is_strict,
+              "exit with code 4 if nothing is worse, but something is inconclusive or not tested");
   add_out_option(command, arguments->output, "also write the verdict as Markdown to this file");
   add_json_option(command, arguments->is_json);
   command.footer(
       "  ikbench compare before/store.sqlite after/store.sqlite --strict -o verdict.md\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --margin 10%\n\n"
-      "The exit code is 3 if something is shown to be worse, and not shown to be so by less than the margin, or if "
-      "solves without an answer are new; 1 after a mistake, or else if A and B, or the times that --time-margin asks for, could not be compared; else 4 with "
-      "--strict, if something is not decided or not tested; else 0.\n"
-      "What the plan of the study names decides: its metric, and its `then`. Times decide nothing without "
-      "--time-margin. No option changes a p: of two labels of a store it is that of the report.");
+      "Exit codes, first match wins:\n"
+      "  3  something is worse and not shown to be within the margin, or there are new failures (no answer)\n"
+      "  1  the command has a mistake, or A and B, or the times of --time-margin, could not be compared\n"
+      "  4  --strict is given, and something is inconclusive or not tested\n"
+      "  0  otherwise\n\n"
+      "The metrics in the plan of the study decide: its metric and its tie-breakers. Times decide only with "
+      "--time-margin. No option changes a p: for two labels of one store it is the p of the report.");
   command.callback([arguments, &invocation] {
     const std::vector<RegressionCheck> checks = compare_all(*arguments);
     invocation.exit_code = exit_code(checks, arguments->is_strict);

@@ -44,10 +44,10 @@ void watch(const sigset_t& set) {
     const std::scoped_lock lock(answering);
     last_signal = number;
     if (may_cancel && !cancel_requested.exchange(true)) {
-      write_at_once("\nStopping after the current solve. Once more: at once.\n");
+      write_at_once("\nStopping after the current solve. Interrupt again to stop at once.\n");
       continue;
     }
-    write_at_once(may_cancel ? "\nStopped. What is stored is kept.\n" : "\nStopped.\n");
+    write_at_once(may_cancel ? "\nStopped. Stored solves are kept.\n" : "\nStopped.\n");
     base::remove_temporary_folders();
     _exit(128 + number);
   }

@@ -49,8 +49,8 @@ void add_export(const Command& command, Invocation&) {
   command
       .add(
           "--format", &arguments->format,
-          "csv: a row for each solve; fingerprint: a hash of every bit but of times; archive: one file with its seal, a "
-          "hash of all that is in it")
+          "csv: one row per solve; fingerprint: a hash of all results except times; archive: one file with its seal, a "
+          "hash of all its content")
       .one_of({"csv", "fingerprint", "archive"});
   add_out_option(command, arguments->file, "file to write; - for standard output");
   command.footer(
@@ -60,9 +60,10 @@ void add_export(const Command& command, Invocation&) {
       "Columns: ikbench list columns");
   command.callback([arguments] {
     if (arguments->format == "archive") {
-      if (arguments->file == "-") throw std::invalid_argument("--format archive: expected -o FILE, as mine.sqlite");
+      if (arguments->file == "-")
+        throw std::invalid_argument("--format archive needs -o FILE, such as -o mine.sqlite");
       if (!arguments->study.empty())
-        throw std::invalid_argument("an archive has all studies of its store; leave out --study");
+        throw std::invalid_argument("an archive has all studies of its store; give no --study");
       fmt::print("{}: seal {}\n", printable(base::one_line(arguments->file)),
                  write_archive(arguments->store, arguments->file));
       return;

@@ -63,27 +63,26 @@ void refuse_json(std::string_view text, const std::string& file) {
   const base::Json json = base::parsed_json(text);
   if (json.is_object() && has_list(json, "results", "times"))
     throw NotATable(
-        fmt::format("{} is JSON by hyperfine; expected a table, which this command makes of it:", name_of(file)),
+        fmt::format("{} is JSON from hyperfine; expected a table; this command makes one:", name_of(file)),
         command_into_csv("jq", {"-r", R"(["command", "time_s"], (.results[] | [.command] + (.times[] | [.])) | @csv)"},
                          file));
   if (json.is_object() && has_list(json, "benchmarks", "real_time"))
     throw NotATable(
-        fmt::format("{} is JSON by Google Benchmark; expected a table, which this command makes of it:", name_of(file)),
+        fmt::format("{} is JSON from Google Benchmark; expected a table; this command makes one:", name_of(file)),
         command_into_csv(
             "jq",
             {"-r", R"(["name", "time [\(.benchmarks[0].time_unit // "ns")]"], )"
                    R"((.benchmarks[] | select(.run_type != "aggregate") | [.run_name // .name, .real_time]) | @csv)"},
             file));
   if (json.is_array() && !json.empty() && std::ranges::all_of(json, is_flat))
-    throw NotATable(fmt::format("{} is JSON; expected a table, which this command makes of it:", name_of(file)),
+    throw NotATable(fmt::format("{} is JSON; expected a table; this command makes one:", name_of(file)),
                     command_for_objects("-r", file));
   if (!json.is_discarded())
-    throw NotATable(fmt::format("{} is JSON; expected a table with a row for each value, such as CSV", name_of(file)),
-                    "");
+    throw NotATable(fmt::format("{} is JSON; expected a table with one row per value, such as CSV", name_of(file)), "");
   const base::Json first = base::parsed_json(text.substr(begin, text.find('\n', begin) - begin));
   if (first.is_object())
     throw NotATable(
-        fmt::format("{} is JSON, an object a line; expected a table, which this command makes of it:", name_of(file)),
+        fmt::format("{} is JSON with one object per line; expected a table; this command makes one:", name_of(file)),
         command_for_objects("-rs", file));
 }
 
@@ -104,7 +103,7 @@ bool is_arm(const std::string& file) {
 void refuse_as_arm(const std::string& file) {
   if (is_store(file))
     throw std::invalid_argument(fmt::format(
-        "{0} is a store, not an arm; to solve its study again: ikbench run {0} --out NEW; to show it: ikbench report {0}",
+        "{0} is a store, not an arm; to solve its study again: ikbench run {0} --out NEW; to show its results: ikbench report {0}",
         file));
   const std::optional<toml::table> table = toml_in(file);
   if (table && table->contains("solvers"))
@@ -120,8 +119,8 @@ void refuse_no_table(std::string_view text, const std::string& file) {
     throw NotATable(fmt::format("{} is compressed; expected a table; this command unpacks it:", name_of(file)),
                     shell_command("gunzip", {"-k", file}));
   if (text.starts_with(start_of_zip))
-    throw NotATable(fmt::format("{} is a spreadsheet, or another zip file; expected a table; this command, or the "
-                                "program that wrote it, saves its first sheet as CSV:",
+    throw NotATable(fmt::format("{} is a spreadsheet or another zip file; expected a table; save its first sheet "
+                                "as CSV, in the program that wrote it or by this command:",
                                 name_of(file)),
                     shell_command("libreoffice", {"--headless", "--convert-to", "csv", file}));
   refuse_json(text, file);

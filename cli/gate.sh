@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
 # Runs a study and compares its store with a baseline, as action.yml does: STUDY=my.toml BASELINE=old.sqlite cli/gate.sh
-# MARGIN (5%; default: the plan's), METRIC (solved,evaluations; default: all that the plan names), STRICT (true: not decided
-# fails too), OUT (ikbench-gate), IKBENCH (the program).
+# MARGIN (5%; default: the plan's), METRIC (solved,evaluations; default: all that the plan names), STRICT (true: inconclusive
+# fails, too), OUT (ikbench-gate), IKBENCH (the program).
 # With OLD, an older ikbench, in place of BASELINE both solve the study in turn, so that times decide, too: TURNS (20),
 # at most the study's runs or targets; TIME_MARGIN (10%).
-# Writes OUT/store.sqlite and OUT/verdict.md. Exit code 0: passed or no baseline; else that of ikbench run or compare.
+# Writes OUT/store.sqlite and OUT/verdict.md. Exit code 0: passed or no baseline; otherwise that of ikbench run or compare.
 set -uo pipefail
 program=${IKBENCH:-ikbench} study=${STUDY:-} baseline=${BASELINE:-} out=${OUT:-ikbench-gate}
 [[ $baseline != -* ]] || baseline=./$baseline
 [[ $out != -* ]] || out=./$out
 [[ $study != -* ]] || study=./$study
 
-if [[ -n ${GITHUB_ACTIONS:-} ]]; then  # a label such as ::error is no command to the forge
+if [[ -n ${GITHUB_ACTIONS:-} ]]; then  # a label such as ::error is not a command to the forge
   token=$(od -An -N16 -tx1 /dev/urandom | tr -d ' \n')
   echo "::stop-commands::$token"
   trap 'echo "::$token::"' EXIT
@@ -21,25 +21,25 @@ ended() {  # ended OUTCOME CODE
   exit "$2"
 }
 refuse() { echo "gate: $1" >&2; ended failed 1; }
-[[ -n $study ]] || refuse "STUDY is not set; expected the study"
+[[ -n $study ]] || refuse "STUDY is not set; expected a study, such as STUDY=my.toml"
 old=${OLD:-} turns=${TURNS:-20} time_margin=
 [[ -z $old ]] || baseline=$out/before/store.sqlite time_margin=${TIME_MARGIN:-10%}
-[[ -n $baseline ]] || refuse "BASELINE is not set; expected the store of the baseline"
+[[ -n $baseline ]] || refuse "BASELINE is not set; expected the store of the baseline, such as BASELINE=old.sqlite"
 [[ $turns =~ ^[1-9][0-9]{0,3}$ ]] || refuse "TURNS is $turns; expected a number from 1 to 9999"
-[[ -z $time_margin || $time_margin =~ ^[0-9]+(\.[0-9]+)?%$ ]] || refuse "TIME_MARGIN is $time_margin; expected 10%"
+[[ -z $time_margin || $time_margin =~ ^[0-9]+(\.[0-9]+)?%$ ]] || refuse "TIME_MARGIN is $time_margin; expected a percentage, such as 10%"
 [[ ${STRICT:-false} =~ ^(true|false)$ ]] || refuse "STRICT is $STRICT; expected true or false"
-differ() { [[ ! $baseline -ef $out/store.sqlite ]] || refuse "BASELINE is the new store; choose another OUT"; }
+differ() { [[ ! $baseline -ef $out/store.sqlite ]] || refuse "BASELINE is the store that this call writes; choose another OUT"; }
 differ
 solve() {
   "$1" run "$study" --shard "$i/$turns" --out="$2/shards/$i" && return
   local code=$?
-  echo "gate: that was turn $i of TURNS=$turns, by $1" >&2
+  echo "gate: this failed in turn $i of TURNS=$turns, run by $1" >&2
   ended failed $code
 }
 if [[ -z $old ]]; then
   "$program" run "$study" --no-report --out="$out" || ended failed $?
 else  # who begins a turn alternates
-  [[ ! -e $out || -e $out/.in-turn ]] || refuse "OUT is $out, which is no folder of such a call; choose a new one"
+  [[ ! -e $out || -e $out/.in-turn ]] || refuse "OUT is $out, a folder that no call with OLD made; choose a new one"
   mkdir -p -- "$out" && : >"$out/.in-turn" || ended failed 2
   rm -rf -- "$out"/{before,shards,store.sqlite}
   for ((i = 1; i <= turns; i++)); do
@@ -50,7 +50,7 @@ else  # who begins a turn alternates
   for each in "$out/before" "$out"; do "$program" merge "$each" "$each/shards" || ended failed $?; done
 fi
 rm -f -- "$out/verdict.md"  # of an earlier call
-[[ -e $baseline || -L $baseline ]] || { echo "No baseline: keep $out/store.sqlite as $baseline."; ended no-baseline 0; }
+[[ -e $baseline || -L $baseline ]] || { echo "There is no baseline yet; keep $out/store.sqlite as $baseline."; ended no-baseline 0; }
 differ  # of files that were not there
 options=(${MARGIN:+--margin="$MARGIN"} ${time_margin:+--time-margin="$time_margin"} ${METRIC:+--metric="$METRIC"})
 [[ ${STRICT:-} != true ]] || options+=(--strict)

@@ -53,7 +53,9 @@ std::string study_details(const std::string& name) {
     };
     if (solvers != nullptr && std::any_of(solvers->begin(), solvers->end(), is_program))
       throw std::invalid_argument(
-          fmt::format("{} names programs, and a list starts none; read it, or try one: ikbench check-solver", name));
+          fmt::format("{} names programs, and `ikbench list` starts no programs; read the file, or check a "
+                      "program: ikbench check-solver -- COMMAND",
+                      name));
   }
   return to_toml(load_study(name));
 }
@@ -84,7 +86,7 @@ Rows list_of(std::string_view kind) {
     for (const ColumnInfo& column : columns())
       rows.push_back({std::string(column.name), std::string(column.type), std::string(column.meaning)});
   } else if (kind == "metrics") {
-    rows = {{"METRIC", "UNIT", "BETTER", "OF", "WHAT"}};
+    rows = {{"METRIC", "UNIT", "BETTER", "PER", "WHAT"}};
     for (const judge::Metric& metric : judge::metrics())
       rows.push_back({std::string(metric.column), std::string(metric.unit),
                       metric.kind == judge::MetricKind::success_rate ? "larger" : "smaller",
@@ -104,8 +106,9 @@ std::string list_text(const std::string& kind, const std::string& name) {
   if (kind == "studies") return study_details(name);
   if (kind == "paths")
     return to_toml(find_named("path", name, target_sets(), [](const Path& path) { return path->name(); }));
-  throw std::invalid_argument(kind == "robots" ? fmt::format("an arm is shown by: ikbench robot {}", name)
-                                               : fmt::format("list {} takes no name; leave out {}", kind, name));
+  throw std::invalid_argument(kind == "robots"
+                                  ? fmt::format("list robots takes no name; to show this arm: ikbench robot {}", name)
+                                  : fmt::format("list {} takes no name; leave {} out", kind, name));
 }
 
 }  // namespace
@@ -117,18 +120,19 @@ void add_list(const Command& command, Invocation&) {
   auto arguments = std::make_shared<Arguments>();
   const std::vector<std::string> kinds{"solvers", "robots",  "studies", "paths",
                                        "columns", "metrics", "figures", "instruction-sets"};
-  command.add("KIND", &arguments->kind, fmt::format("{}; default: these names", fmt::join(kinds, ", ")));
+  command.add("KIND", &arguments->kind, fmt::format("{}; default: list these kinds", fmt::join(kinds, ", ")));
   command.add("NAME", &arguments->name,
-              "show this solver in full; a study or a path is printed as TOML, ready to edit");
+              "show this solver with its options, or print this study or path as TOML, ready to edit");
   command.footer(
       "  ikbench list solvers\n"
       "  ikbench list solvers ik_bat              its options with defaults and ranges\n"
       "  ikbench list studies slim2023 > my.toml\n"
-      "  ikbench list instruction-sets            those of this machine; set IKBENCH_INSTRUCTION_SET to choose one");
+      "  ikbench list instruction-sets            to choose one, set IKBENCH_INSTRUCTION_SET");
   command.callback([arguments, kinds] {
     if (arguments->kind.empty()) return fmt::print("{}\n", fmt::join(kinds, "\n"));
     if (std::ranges::find(kinds, arguments->kind) == kinds.end())
-      throw std::invalid_argument(unknown_name("kind of list", arguments->kind, kinds) + "; figures lists styles, too");
+      throw std::invalid_argument(unknown_name("kind of list", arguments->kind, kinds) +
+                                  "; `figures` also lists the styles");
     const std::string text = list_text(arguments->kind, arguments->name);
     fmt::print("{}", isatty(STDOUT_FILENO) != 0 ? printable(text) : text);  // a file keeps every letter
   });

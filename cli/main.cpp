@@ -47,7 +47,33 @@ class Help : public CLI::Formatter {
   }
 };
 
-constexpr auto cannot_write = "cannot write to standard output; make room on its disk, or do not close it";
+constexpr auto cannot_write = "cannot write to standard output; make room on its disk, or keep it open";
+
+// Returns "ikbench compare A B", or "ikbench" without a command.
+std::string usage_of(const CLI::App& command) {
+  std::string text = command.get_parent() == nullptr ? "ikbench" : "ikbench " + command.get_name();
+  for (const CLI::Option* option : command.get_options([](const CLI::Option* each) { return each->get_positional(); }))
+    text += option->get_required() ? ' ' + option->get_name(true) : " [" + option->get_name(true) + ']';
+  return text;
+}
+
+// Returns what CLI11 says of a mistake, in plain words and with what is expected.
+std::string mistake_text(const CLI::App& command, const CLI::ParseError& error) {
+  const std::string text = error.what();
+  const std::string first = text.substr(0, text.find_first_of(": "));  // the option or argument
+  const std::string last = text.substr(text.rfind(' ') + 1);
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
+    return fmt::format("{} is missing; expected {}", first, usage_of(command));
+  if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr)
+    return fmt::format("{} needs {}; add it", first, last);
+  if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr)
+    return fmt::format("{} and {} exclude each other; leave one out", first, last);
+  if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) return "a value does not fit its option: " + text;
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+    return fmt::format("too many arguments, {}; expected {}", fmt::join(command.remaining(), " "), usage_of(command));
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return text;
+  return text.ends_with("missing") ? first + " needs a value" : first + " is given too often; expected it once";
+}
 
 // Prints a mistake on the command line, or the help that was asked for, and returns the exit code. CLI11 does not say
 // which word is unknown, and names no similar option, so this function does.
@@ -68,7 +94,12 @@ int report_parse_error(const CLI::App& app, const CLI::ParseError& error, const 
     cli::print_error(unknown_name("option of " + command.get_name(), option->substr(0, option->find('=')), names));
     return 1;
   }
-  if (app.exit(error) != 0) return 1;
+  if (error.get_exit_code() != 0) {
+    const std::string name = chosen.empty() ? "" : ' ' + command.get_name();
+    cli::print_error(fmt::format("{}\n  all options: ikbench{} --help", mistake_text(command, error), name));
+    return 1;
+  }
+  app.exit(error);  // prints the help or the version
   if (std::cout.flush()) return 0;
   cli::print_error(cannot_write);
   return 2;
@@ -81,7 +112,7 @@ std::string error_text(const std::exception& error) {
   const auto* const of_system = dynamic_cast<const std::system_error*>(&error);
   if (of_system != nullptr && std::ferror(stdout) != 0) return cannot_write;
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
-    return "there is not enough memory (ulimit -v, or the machine's)";
+    return "there is not enough memory; raise ulimit -v, or use a machine with more";
   // A runtime_error comes from the system: no space is left, another process writes the store, ...
   const bool is_expected = is_mistake(error) || dynamic_cast<const std::runtime_error*>(&error) != nullptr;
   const bool is_thread = of_system != nullptr && of_system->code() == std::errc::resource_unavailable_try_again;
@@ -92,19 +123,16 @@ std::string error_text(const std::exception& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Runs inverse-kinematics solvers on studies, stores every solve and says what the numbers mean.",
+  CLI::App app("Runs inverse-kinematics solvers on studies, stores every solve and shows what the numbers mean.",
                "ikbench");
   app.formatter(std::make_shared<Help>());
   app.footer(
-      "  ikbench reproduce         repeats Slim et al. 2023: which of its claims hold?\n"
-      "  ikbench run my.toml       compares the solvers of a study, and writes a report\n"
-      "  ikbench stats my.csv      says which group of your own data is better, or asks\n"
-      "  ikbench COMMAND --help    has more");
+      "  ikbench reproduce         repeats Slim et al. 2023 and shows which claims hold\n"
+      "  ikbench run my.toml       compares the solvers of a study and writes a report\n"
+      "  ikbench stats my.csv      shows which group in your own data is better\n"
+      "  ikbench COMMAND --help    shows all options of a command");
   app.set_version_flag("--version", ikbench::experiments::program_name());
   app.require_subcommand(1);
-  app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return fmt::format("ikbench: {}\n  see --help\n", cli::printable(error.what()));
-  });
   std::vector<std::string> words(argv + 1, argv + argc);
   cli::Invocation invocation{.command = cli::shell_command("ikbench", words)};
 #define COMMAND(name, word, use, meaning) cli::add_##name({app.add_subcommand(word, meaning)->group(use)}, invocation);

@@ -34,7 +34,7 @@ std::vector<fs::path> stores_in(const fs::path& place) {
   }
   if (error) base::refuse_place("read", place, error.value());
   if (stores.empty())
-    throw std::invalid_argument(fmt::format("'{}' has no store.sqlite, and no folder in it has one", place.string()));
+    throw std::invalid_argument(fmt::format("neither '{}' nor a folder in it has a store.sqlite", place.string()));
   std::ranges::sort(stores);
   return stores;
 }
@@ -49,22 +49,27 @@ void add_merge(const Command& command, Invocation& invocation) {
   auto arguments = std::make_shared<Arguments>();
   command
       .add("FOLDERS", &arguments->places,
-           "first that of the store that gets all, unless -o names it; then stores, folders with a "
-           "store.sqlite, or a folder of such folders, as out/<study>/shards")
+           "first the folder to merge into (unless -o names it), then stores, folders with a store.sqlite, "
+           "or a folder of such folders, such as out/<study>/shards")
       .required();
-  add_out_option(command, arguments->out, "folder of the store that gets all; it may have one already");
+  add_out_option(command, arguments->out, "folder to merge into; it may have a store already");
   command.footer(
       "  ikbench merge out/slim2023 out/slim2023/shards\n"
       "  ikbench merge out/both laptop/store.sqlite desktop/store.sqlite\n\n"
-      "A solve that two stores have must have the same bits in both. What is missing is counted; the exit code is "
-      "then 5. A store with a wrong solve is named and left out, as are solves that no study of their store has (former "
-      "settings); the exit code is then 1. After a merge that was killed give the same command again.");
+      "If two stores have the same solve, it must have the same bits in both. After a merge that was killed, give the "
+      "same command again.\n"
+      "Exit codes, first match wins:\n"
+      "  1  a store with a wrong solve was left out, or solves of former settings, which no study has any more\n"
+      "  5  solves are missing, and their number is shown\n"
+      "  0  otherwise");
   command.callback([arguments, &invocation] {
     if (arguments->out.empty()) {
       arguments->out = arguments->places.front();
       arguments->places.erase(arguments->places.begin());
     }
-    if (arguments->places.empty()) throw std::invalid_argument("nothing to merge; expected merge OUT IN ...");
+    if (arguments->places.empty())
+      throw std::invalid_argument(
+          "there is nothing to merge; expected two folders or more, such as ikbench merge out/both out/laptop out/desktop");
     const fs::path out = store_path(arguments->out);
     std::vector<fs::path> stores;
     for (const std::string& place : arguments->places) std::ranges::copy(stores_in(place), std::back_inserter(stores));
@@ -73,11 +78,11 @@ void add_merge(const Command& command, Invocation& invocation) {
       return merge(out, stores, experiments::stored_solve_check,
                    [&](std::int64_t done, std::int64_t total) { bar.show({.done = done, .total = total}); });
     }();
-    fmt::print("{}\n", wrapped(fmt::format("{}: {} added from {}, {} were there with the same bits", out.string(),
-                                           base::counted(merged.added, "solves"),
+    fmt::print("{}\n", wrapped(fmt::format("{}: {} added from {}; {} were there already, with the same bits",
+                                           out.string(), base::counted(merged.added, "solves"),
                                            base::counted(merged.stores, "stores"), merged.duplicates)));
     for (const std::string& lack : merged.incomplete)
-      print_message(lack + "; solve its missing shards, then merge again");
+      print_message(lack + "; solve its missing shards, then run the same merge again");
     for (const std::string& reason : merged.skipped) print_message("left out: " + reason);
     if (!merged.incomplete.empty()) invocation.exit_code = 5;
     if (!merged.skipped.empty()) invocation.exit_code = 1;

@@ -33,7 +33,7 @@ Option Option::time() const {
       text = fmt::format("{}", *value);
       return std::string();
     }
-    return fmt::format("{} is no time from 1us to 1000s, such as 5ms", text.substr(0, 100));
+    return fmt::format("{} is not a time from 1us to 1000s, such as 5ms", text.substr(0, 100));
   };
   return {in_cli11->transform(CLI::Validator(in_seconds, ""))};
 }
@@ -51,7 +51,7 @@ Option Option::whole_number(std::pair<std::int64_t, std::int64_t> range) const {
     const bool are_digits = !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == text.npos &&
                             (text == "0" || text[0] != '0');
     if (are_digits && std::stoll(text) >= range.first && std::stoll(text) <= range.second) return std::string();
-    return fmt::format("{} is not a whole number from {} to {}, without zeros before it", text.substr(0, 100),
+    return fmt::format("{} is not a whole number from {} to {} (without leading zeros)", text.substr(0, 100),
                        range.first, range.second);
   };
   const std::string name = range.second < max_whole_number ? fmt::format("{} to {}", range.first, range.second) : "";
@@ -64,7 +64,7 @@ Option Command::add(const std::string& name, OptionTarget value, const std::stri
     if constexpr (std::is_same_v<Value, bool>) return in_cli11->add_flag(name, *target, meaning);
     CLI::Option* const option = in_cli11->add_option(name, *target, meaning);
     if constexpr (!std::is_arithmetic_v<Value>)
-      option->check([](const std::string& text) { return text.empty() ? "it is empty" : ""; });
+      option->check([](const std::string& text) { return text.empty() ? "expected a value that is not empty" : ""; });
     if (std::is_same_v<Value, std::vector<std::string>>) return option->allow_extra_args(!name.starts_with('-'));
     return *target > Value() ? option->capture_default_str() : option;
   };
@@ -77,8 +77,8 @@ void Command::footer(const std::string& text) const { in_cli11->footer(text); }
 void Command::callback(const std::function<void()>& run) const { in_cli11->callback(run); }
 
 void add_link_options(const Command& command, std::string& base, std::string& tip) {
-  command.add("--base", &base, "link of a URDF file where the arm begins; default: the root");
-  command.add("--tip", &tip, "link of a URDF file where it ends; default: behind the most joints");
+  command.add("--base", &base, "URDF link where the arm begins; default: the root");
+  command.add("--tip", &tip, "URDF link where the arm ends; default: the one after the most joints");
 }
 
 void add_out_option(const Command& command, std::string& out, const std::string& meaning) {

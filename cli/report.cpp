@@ -36,9 +36,9 @@ const std::vector<std::string>& distinct_names(const std::vector<std::string>& n
 // Writes one table of several stores: solvers by studies.
 void write_studies(const std::vector<std::string>& files, const std::string& study, const std::string& out,
                    const ReportArguments& report) {
-  if (out.empty()) throw std::invalid_argument("several stores: where shall the table be written? --out FOLDER");
+  if (out.empty()) throw std::invalid_argument("several stores make one table; say where to write it: --out FOLDER");
   if (report.is_json || !report.figures.empty() || !report.styles.empty() || !report.beside.empty())
-    throw std::invalid_argument("several stores make one table: without --json, --figures, --style and --beside");
+    throw std::invalid_argument("several stores make one table; leave out --json, --figures, --style and --beside");
   std::vector<show::ReportModel> studies;
   std::vector<std::string> names, arms, folders;
   std::set<std::string> keys;  // of the series of all stores
@@ -47,7 +47,8 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
     const StoredStudy entry = store.study(study);
     for (const results::Series& series : entry.series)
       if (!keys.insert(series.key).second)
-        throw std::invalid_argument(file + ": an earlier store has the same " + series.label + "; leave it out");
+        throw std::invalid_argument(file + ": an earlier store has the same " + series.label +
+                                    "; leave this store out");
     const judge::JudgedStudy judged = judge::judge(read_checked(store, entry));
     names.push_back(entry.name);
     arms.push_back(judged.study.definition.robot);
@@ -73,7 +74,9 @@ void add_report(const Command& command, Invocation&) {
     ReportArguments report;
   };
   auto arguments = std::make_shared<Arguments>();
-  command.add("STORE", &arguments->stores, "path of a store.sqlite; of several: one table, solvers by studies")
+  command
+      .add("STORE", &arguments->stores,
+           "path of a store.sqlite; several stores make one table, with a column per study")
       .required();
   add_study_option(command, arguments->study);
   add_out_option(command, arguments->out, "folder to write to; default: the folder of the store");

@@ -61,7 +61,7 @@ std::string style_text(const std::string& name) {
   constexpr std::uintmax_t max_bytes = 100'000;
   if (const EmbeddedFile* const shipped = find_embedded(styles, name)) return std::string(shipped->text);
   if (std::error_code none; !std::filesystem::exists(name, none))
-    throw std::invalid_argument(unknown_name("style", name, shipped_styles()) + "; or name a file that is there");
+    throw std::invalid_argument(unknown_name("style", name, shipped_styles()) + "; or give the path of a TOML file");
   return text_of_file(name, max_bytes);
 }
 
@@ -84,7 +84,7 @@ bool print_never_answering(const judge::StudyResults& results, bool is_json) {
   const std::vector<std::string> silent = never_answering(results);
   if (silent.empty()) return false;
   const std::string text =
-      fmt::format("{} gave no answer in any solve (crash, time-out or protocol).", base::listed(silent));
+      fmt::format("{} gave no answer in any solve (crash, timeout or protocol error).", base::listed(silent));
   if (is_json)
     print_message(text);
   else
@@ -123,21 +123,22 @@ judge::StudyResults results_of_store(const std::string& file, const std::string&
 
 void add_report_options(const Command& command, ReportArguments& arguments, bool is_of_study) {
   if (is_of_study)
-    command.add("--beside", &arguments.beside, "tell also what others did in the same study: libraries, or a store");
-  command.add("--figures", &arguments.figures, "draw only these: error,solved; none: draw nothing")
+    command.add("--beside", &arguments.beside,
+                "add results of the same study: libraries (the archive of libraries), or the path of a store");
+  command.add("--figures", &arguments.figures, "draw only these figures: error,solved; none: draw nothing")
       .separated_by_commas();
   command.add("--style", &arguments.styles,
-              "ieee, springer, slide, or a TOML file of keys of [figures], in place of the study's (list figures); "
-              "repeat: the last counts");
+              "style of the figures: ieee, springer, slide, or a TOML file (see ikbench list figures); default: the "
+              "study's; repeatable, the last counts");
   add_json_option(command, arguments.is_json);
 }
 
 std::string figure_list_text() {
-  Rows rows{{"FIGURE", "OF"}};
+  Rows rows{{"FIGURE", "SHOWS"}};
   for (const auto& [name, meaning] : show::figure_list()) rows.push_back({name, meaning});
   return align_columns(rows) + fmt::format("\nStyles (--style): {}\n", fmt::join(shipped_styles(), ", ")) +
-         "\nKeys of [figures] in a study, or of a file (--style FILE)\n" + to_toml(FigureStyle()) +
-         "\n[words.FIGURE]  # of a file, with x, y and caption: what its axes and its caption say\n";
+         "\nKeys of [figures] in a study, or in a file for --style\n" + to_toml(FigureStyle()) +
+         "\n[words.FIGURE]  # only in a file: x, y and caption are the words of its axes and caption\n";
 }
 
 FigureStyle apply_style(FigureStyle style, const std::vector<std::string>& labels, const ReportArguments& arguments) {
@@ -202,7 +203,7 @@ void write_and_print(show::Report report, const std::filesystem::path& folder, c
   };
   for (const std::string& name : arguments.figures)
     if (name != "none" && !is_there(name))
-      warn(fmt::format("there is nothing to draw for {}; what it is of: ikbench list figures", name));
+      warn(fmt::format("there is nothing to draw for {}; see what it shows: ikbench list figures", name));
   if (arguments.is_json) {
     base::OrderedJson json = show::to_json(report.model);
     json["files"] = written.files;
@@ -251,8 +252,8 @@ judge::StudyResults read_checked(const Store& store, const StoredStudy& entry, c
         if (also) also(solve);
       });
   if (results.solves.empty())
-    throw std::invalid_argument(
-        fmt::format("no solve of {} in the store is by its solvers as they are now; run the study", entry.name));
+    throw std::invalid_argument(fmt::format(
+        "the store has no solve of {} by the current versions of its solvers; run the study again", entry.name));
   return results;
 }
 

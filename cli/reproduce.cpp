@@ -82,10 +82,9 @@ std::string fingerprints_text(const Store& store, const std::vector<judge::Judge
                   [](const Series& series) { return !solvers::solver(series.algorithm).library.empty(); });
     if (fingerprint(store, study).text != reference) different.push_back(study.name);
   }
-  if (compared == 0) return "Solves: no fingerprints to compare with for this seed and number of runs";
-  return fmt::format("Solves: those of {} of {} studies are those published, bit for bit{}{}",
-                     compared - different.size(), compared,
-                     different.empty() ? "" : "; different: ", fmt::join(different, ", "));
+  if (compared == 0) return "Solves: nothing is published for this seed and number of runs";
+  return fmt::format("Solves of {} of {} studies match the published ones bit for bit{}{}", compared - different.size(),
+                     compared, different.empty() ? "" : "; different: ", fmt::join(different, ", "));
 }
 
 // Returns the number of solves at once of a multiverse: one per processor, since no times are measured.
@@ -99,14 +98,14 @@ papers::SolvedMultiverse solve_interpretations(const Arguments& arguments, const
                                                const std::vector<Dimension>& varied, int seeds) {
   CancelOnSignal signals;
   const MultiversePlan plan = plan_multiverse(study, varied, seeds, overridden_runs(arguments));
-  std::optional<ProgressBar> bar("readings");
+  std::optional<ProgressBar> bar("interpretations");
   const std::vector<SeriesMeans> means =
       solve_multiverse(plan.parts, {.jobs = multiverse_jobs(arguments),
                                     .progress = [&](const Progress& progress) { bar->show(progress); },
                                     .cancelled = &signals.requested()});
   bar.reset();  // clears the line of the bar for the next words
   if (signals.end()) {
-    print_message("Stopped. Readings are judged together, so none is kept; the same command solves them anew.");
+    print_message("Stopped. Interpretations are judged together, so none is kept; the same command solves them again.");
     throw Cancelled();
   }
   papers::SolvedMultiverse multiverse{plan, {}};
@@ -146,8 +145,8 @@ CsvTable programs_table(const Paper& paper, const std::filesystem::path& folder,
   CsvTable programs = parse_csv(text, solved_here.string());
   if (programs.rows() != paper.rates.rows.size())
     throw std::invalid_argument(
-        fmt::format("{} has {} rows; expected one for each arm of the paper, {}; remove it, or "
-                    "solve them (solvers/programs/{}.sh)",
+        fmt::format("{} has {} rows; expected one for each arm of the paper, {}; remove the "
+                    "file, or solve all arms: solvers/programs/{}.sh",
                     solved_here.string(), programs.rows(), paper.rates.rows.size(), paper.name));
   return programs;
 }
@@ -214,13 +213,14 @@ void report(const std::vector<judge::JudgedStudy>& studies, const Paper& paper, 
       is_slim2023 ? slim2023::sentences(claims, counts) : papers::rates_sentences(repeated);
   reported.lead = papers::beginning(paper, sentences, means);
   if (has_arms)
-    reported.lead.emplace_back(fmt::format("Of {} alone: the arm that moves, who is better, and the set-up.",
-                                           paper.rates.rows.at(own.study.definition.robot)));
+    reported.lead.emplace_back(fmt::format(
+        "The rest of this page is only about {}: the arm in motion, which solver is better, and the set-up.",
+        paper.rates.rows.at(own.study.definition.robot)));
   if (const auto figure = papers::rates_figure(repeated))
-    reported.extra_sections.push_back({show::Heading{"Ours and the printed"}, *figure});
+    reported.extra_sections.push_back({show::Heading{"Ours and the paper's"}, *figure});
   for (const auto& [table, words] : paper.rates.tables)
     if (table != paper.rates.tables.begin()->first)
-      reported.extra_sections.push_back({show::Heading{"Printed by " + words}, papers::rates_table(repeated, table)});
+      reported.extra_sections.push_back({show::Heading{"Rates of " + words}, papers::rates_table(repeated, table)});
   reported.claims = papers::claims_section(claims);
   if (!readings.in_readings.empty())
     reported.extra_sections.push_back({show::Heading{"What the paper leaves open"}, readings.table});
@@ -239,26 +239,26 @@ void add_reproduce(const Command& command, Invocation& invocation) {
   arguments->paper = papers::papers().front().name;
   command.add("PAPER", &arguments->paper, fmt::format("one of: {}", fmt::join(names, ", ")));
   add_run_options(command, arguments->run);
-  command.add("--seed", &arguments->seed, "seed of the studies; default: their own").whole_number();
-  command.add("--runs", &arguments->runs, "runs of each solver; default: as in the paper").whole_number({1, 1'000'000});
+  command.add("--seed", &arguments->seed, "seed of the studies; default: that of each study").whole_number();
+  command.add("--runs", &arguments->runs, "runs per solver; default: as in the paper").whole_number({1, 1'000'000});
   command
       .add("--readings", &arguments->seeds,
-           "number of seeds for the readings of what the paper leaves open; 0: skip them")
+           "seeds per interpretation of what the paper leaves open; 0: solve no interpretations")
       .whole_number({0, 1000});
   add_report_options(command, arguments->report);
   command.footer(
       "  ikbench reproduce\n"
       "  ikbench reproduce beeson2015             TRAC-IK's table of solve rates\n"
-      "  ikbench reproduce haviland2023           six rules of Levenberg and Marquardt's method\n"
+      "  ikbench reproduce haviland2023           six Levenberg-Marquardt rules\n"
       "  ikbench reproduce --seed 2 --out out/seed-2\n"
-      "  ikbench reproduce --readings 0 --jobs 2  faster; but times of two solves at once are not comparable");
+      "  ikbench reproduce --readings 0 --jobs 2  faster, but times are not comparable");
   command.callback([arguments, &invocation, command] {
     const Paper& paper = papers::paper_named(arguments->paper);
     // A mistake in the style shows before hours of solving.
     static_cast<void>(apply_style({}, labels_of(load_study(paper.studies.front())), arguments->report));
     if (command.was_given("--readings") && arguments->seeds > 0 && read_dimensions(paper.name).empty())
       throw std::invalid_argument(
-          fmt::format("--readings: the program has no open questions of {}; leave it out", paper.name));
+          fmt::format("--readings: {} has no interpretations to solve; leave the option out", paper.name));
     const std::filesystem::path folder = output_folder(paper.studies.front(), arguments->run.out);
     std::vector<judge::JudgedStudy> judged;
     for (const Study& study : studies_of(paper, *arguments)) {

@@ -45,12 +45,13 @@ std::string frame_line(std::string_view name, const Frame& frame) {
   return frame == Frame() ? "" : fmt::format("{} {}\n", name, frame_text(frame));
 }
 
-const char* motion_text(Joint joint) {
+// Returns the kind of a joint, by the words of URDF.
+const char* kind_text(Joint joint, bool is_endless) {
   switch (joint) {
     case Joint::turns:
-      return "turns";
+      return is_endless ? "continuous" : "revolute";
     case Joint::slides:
-      return "slides";
+      return "prismatic";
     case Joint::coupled:
       return "coupled";
   }
@@ -70,10 +71,10 @@ std::string joint_table(const Robot& arm) {
     const DhLink& link = arm.chain.links()[static_cast<std::size_t>(j)];
     const bool is_endless = !std::isfinite(arm.limits.lower[j]);
     const std::string unit = arm.chain.slides(j) ? "m" : "deg";
-    rows.push_back({std::to_string(j + 1), motion_text(link.joint),
-                    is_endless ? "without" : number(arm.limits.lower[j], units[j]),
-                    is_endless ? "end" : number(arm.limits.upper[j], units[j]), is_endless ? "" : unit, number(link.a),
-                    number(link.alpha, degree), number(link.d), number(link.offset, degree)});
+    rows.push_back({std::to_string(j + 1), kind_text(link.joint, is_endless),
+                    is_endless ? "no" : number(arm.limits.lower[j], units[j]),
+                    is_endless ? "limits" : number(arm.limits.upper[j], units[j]), is_endless ? "" : unit,
+                    number(link.a), number(link.alpha, degree), number(link.d), number(link.offset, degree)});
     if (has_beta) rows.back().insert(rows.back().begin() + 7, number(link.beta, degree));
     if (has_velocities)
       rows.back().push_back(arm.velocity[j] == 0 ? "not known"
@@ -86,7 +87,7 @@ std::string joint_table(const Robot& arm) {
 
 std::string reach_text(const Robot& arm) {
   const Chain::Ball ball = arm.chain.reach();
-  if (!std::isfinite(ball.radius)) return "reach: not known, because a joint slides";
+  if (!std::isfinite(ball.radius)) return "reach: not known, because a joint is prismatic";
   return fmt::format("reach: at most {:.6g} m from ({}, {}, {}) m", ball.radius, number(ball.centre.x()),
                      number(ball.centre.y()), number(ball.centre.z()));
 }
@@ -137,7 +138,7 @@ std::string robot_text(const Robot& arm) {
   const std::string head = fmt::format("{}: {}\nsource: {}\n\n{}{}", arm.name, arm.summary, arm.source,
                                        frame_line("base", arm.chain.base()), frame_line("tool", arm.chain.tool()));
   std::string rest = fmt::format("\n{}\nwrist: {}\n", reach_text(arm), wrist_text(arm));
-  if (!arm.other_tip.empty()) rest += fmt::format("note: --tip {} for another end\n", arm.other_tip);
+  if (!arm.other_tip.empty()) rest += fmt::format("note: the arm may also end elsewhere: --tip {}\n", arm.other_tip);
   for (const std::string& note : arm.notes) rest += fmt::format("note: {}\n", note);
   return wrapped(head) + joint_table(arm) + wrapped(rest);
 }
@@ -146,12 +147,14 @@ std::string robot_text(const Robot& arm) {
 
 void add_robot(const Command& command, Invocation&) {
   auto arguments = std::make_shared<RobotArguments>();
-  command.add("ROBOT", &arguments->robot, "a name from ikbench list robots, or a file: arm.toml, arm.urdf").required();
-  command.add("--at", &arguments->at,
-              "values of all joints [deg], or [m] where one slides; default: zeros, or the nearest inside the limits");
+  command.add("ROBOT", &arguments->robot, "name of an arm (ikbench list robots), or a file: arm.toml, arm.urdf")
+      .required();
+  command.add(
+      "--at", &arguments->at,
+      "values of all joints [deg], or [m] for prismatic joints; default: zeros, or the nearest values inside the limits");
   add_link_options(command, arguments->urdf.base, arguments->urdf.tip);
-  command.add("--links", &arguments->shows_links, "print the tree of links of a URDF file, and nothing else");
-  command.add("--urdf", &arguments->shows_urdf, "print the arm as a URDF file, and nothing else");
+  command.add("--links", &arguments->shows_links, "print only the tree of links of a URDF file");
+  command.add("--urdf", &arguments->shows_urdf, "print only the arm, as a URDF file");
   command.footer(
       "  ikbench robot ur5e\n"
       "  ikbench robot franka_panda --at 0,-45,0,-135,0,90,45\n"
@@ -160,7 +163,7 @@ void add_robot(const Command& command, Invocation&) {
     for (const char* option : {"--base", "--tip", "--links"}) {
       if (!command.was_given(option) || is_urdf_file(arguments->robot)) continue;
       throw std::invalid_argument(
-          fmt::format("{} is about a URDF file, but the arm is {}; leave it out", option, arguments->robot));
+          fmt::format("{} is only for URDF files, but the arm is {}; leave the option out", option, arguments->robot));
     }
     if (arguments->shows_links)
       return fmt::print("{}", printable(link_tree(text_of_arm_file(arguments->robot), arguments->robot)));

@@ -52,7 +52,8 @@ Overrides overrides_of(const StudyToRun& arguments) {
   std::set<std::string> swept;
   for (const std::string& text : arguments.sweep) {
     if (!swept.insert(text.substr(0, text.find('='))).second)
-      throw std::invalid_argument(fmt::format("--sweep {}: swept already; expected all of its values in one", text));
+      throw std::invalid_argument(
+          fmt::format("--sweep {}: this key is swept twice; give all of its values in one --sweep", text));
     overrides.push_back(sweep_override(text));
   }
   return overrides;
@@ -64,8 +65,8 @@ Study study_of_store(const StudyToRun& arguments) {
   const std::string& file = arguments.study;
   if (arguments.run.out.empty())
     throw std::invalid_argument(fmt::format(
-        "{0} is a store; expected --out NEW, a folder where its study is solved again: ikbench run {0} --out NEW; or "
-        "ikbench report {0}, which shows what it has",
+        "{0} is a store; to solve its study again into a new folder: ikbench run {0} --out NEW; to show its results: "
+        "ikbench report {0}",
         file));
   const Store store(file, Store::Mode::read);
   const StoredStudy stored = store.study(arguments.study_of_store);
@@ -74,7 +75,7 @@ Study study_of_store(const StudyToRun& arguments) {
     if (!process.empty()) commands.push_back(shell_command(process[0], {process.begin() + 1, process.end()}));
   if (!commands.empty() && !arguments.starts_programs)
     throw std::invalid_argument(
-        fmt::format("{0} would start programs with your rights: {1}; to let it: {2}", file, fmt::join(commands, "; "),
+        fmt::format("{0} would start programs with your rights: {1}; to allow it: {2}", file, fmt::join(commands, "; "),
                     shell_command("ikbench", {"run", file, "--out", arguments.run.out, "--start-programs"})));
   const Overrides overrides = overrides_of(arguments);
   Study study = load_study(store, stored, overrides);
@@ -83,7 +84,7 @@ Study study_of_store(const StudyToRun& arguments) {
   };
   if (overrides.empty() && !std::ranges::equal(stored.series, to_stored(study).series, is_same))
     throw std::invalid_argument(fmt::format(
-        "{}: its study names other solvers or options than made its solves; it was changed since they were stored",
+        "{}: its study names other solvers or options than those that made its solves, so it was changed since then",
         file));
   return study;
 }
@@ -92,10 +93,11 @@ Study study_of(const StudyToRun& arguments) {
   refuse_as_arm(arguments.robot);
   const bool is_of_any_arm = arguments.study.empty();
   if (is_of_any_arm && arguments.robot.empty())
-    throw std::invalid_argument("no study; expected run STUDY, or run --robot ARM (ikbench list studies, list robots)");
+    throw std::invalid_argument(
+        "no study; expected ikbench run STUDY, or ikbench run --robot ARM (see ikbench list studies, ikbench list robots)");
   const std::string name = is_of_any_arm ? study_of_any_arm : arguments.study;
   if (!arguments.study_of_store.empty() && !is_store(name))
-    throw std::invalid_argument(fmt::format("--study is about a store, but {} is none", name));
+    throw std::invalid_argument(fmt::format("--study is only for a store, but {} is not a store; leave it out", name));
   Study study = is_store(name) ? study_of_store(arguments) : load_study(name, overrides_of(arguments));
   // A built-in study on another arm gets another name, so that the usual folder keeps only solves of the usual arm.
   if (!arguments.robot.empty() && study.name == name)
@@ -122,7 +124,7 @@ void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
   const bool is_part = !arguments.shard.empty(), has_report = !arguments.without_report && !is_part;
   const Shard shard = is_part ? parse_shard(arguments.shard) : Shard{};
   if (const std::int64_t parts = work_unit_count(study); shard.count > parts)  // some shards would be empty
-    throw std::invalid_argument(fmt::format("--shard {}: {} has only {} to share out, so give at most that many shards",
+    throw std::invalid_argument(fmt::format("--shard {}: {} has only {}; expected at most that many shards",
                                             shard.text(), study.name,
                                             base::counted(parts, study.is_chained() ? "runs" : "targets")));
   std::filesystem::path folder = output_folder(study.name, arguments.run.out);
@@ -147,27 +149,27 @@ void add_run(const Command& command, Invocation& invocation) {
   auto arguments = std::make_shared<StudyToRun>();
   command.add(
       "STUDY", &arguments->study,
-      fmt::format("name of a built-in study (ikbench list studies), or path of a TOML file, or of a store, whose "
-                  "study is solved again; with --robot {}",
+      fmt::format("a built-in study (ikbench list studies), a TOML file, or a store, whose study is solved again; "
+                  "default with --robot: {}",
                   study_of_any_arm));
-  command.add("--robot", &arguments->robot, "solve it on this arm: my_arm.urdf, my_arm.toml, ur5e");
+  command.add("--robot", &arguments->robot, "arm to use: my_arm.urdf, my_arm.toml, ur5e");
   add_study_option(command, arguments->study_of_store);
   add_link_options(command, arguments->urdf.base, arguments->urdf.tip);
   command
       .add("--limit", &arguments->limit,
-           "time that a solve may take, such as 1ms, and no other limit; tells what is solved in it")
+           "time limit per solve, such as 1ms, in place of all other limits; shows what is solved within it")
       .time();
   command.add("--set", &arguments->set, "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp");
   command.add("--sweep", &arguments->sweep,
-              fmt::format("run every combination of values: population=10,20,50, ik_bat.alpha=0.5,0.9; at most {}",
+              fmt::format("solve every combination of values, at most {}: population=10,20,50, ik_bat.alpha=0.5,0.9",
                           max_solvers));
-  command.add("--only", &arguments->only, "solve and report these labels alone: A,B; of a sweep also its label");
+  command.add("--only", &arguments->only, "solve and report only these labels: A,B; for a sweep, also its base label");
   add_run_options(command, arguments->run);
   add_report_options(command, arguments->report, true);
-  command.add("--no-report", &arguments->without_report, "solve, but write no report");
-  command.add("--start-programs", &arguments->starts_programs, "start the programs that the study of a store names");
+  command.add("--no-report", &arguments->without_report, "solve without writing a report");
+  command.add("--start-programs", &arguments->starts_programs, "allow the study of a store to start its programs");
   command.add("--shard", &arguments->shard,
-              "I/N: solve the I-th of N parts, without a report; --out is then out/<study>/shards/I-of-N");
+              "I/N: solve only part I of N, without a report; default of --out: out/<study>/shards/I-of-N");
   command.footer(
       "  ikbench run --robot my_arm.urdf --limit 1ms\n"
       "  ikbench run my.toml\n"
@@ -175,11 +177,11 @@ void add_run(const Command& command, Invocation& invocation) {
       "  ikbench run my.toml --beside libraries\n"
       "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n"
       "  ikbench run my.toml --sweep population=10,20,50 --sweep IK-BA.alpha=0.5,0.9,0.97\n"
-      "  ikbench run theirs.sqlite --out here     solves their study again\n"
-      "  ikbench run slim2023 --shard 3/12        a twelfth, then:\n"
+      "  ikbench run theirs.sqlite --out here     solves its study again\n"
+      "  ikbench run slim2023 --shard 3/12        one of twelve parts, then:\n"
       "  ikbench merge out/slim2023 out/slim2023/shards\n\n"
-      "A part is a run; where no solve starts from the answer before it (start is not previous) it is a target.\n"
-      "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");
+      "--shard shares out runs, or targets if no solve starts from the previous answer (start = \"previous\").\n"
+      "The same command again solves only what is missing. If the source of a solver changed, all its solves are repeated.");
   command.callback([arguments, &invocation] {
     if (arguments->robot.empty() && is_arm(arguments->study)) std::swap(arguments->robot, arguments->study);
     run_and_report(*arguments, invocation);

@@ -27,9 +27,9 @@ void print_notes(const Study& study) {
   for (const std::string& note : study.notes) print_message(note);
   if (const std::vector<UnreachableTarget> targets = unreachable_targets(study); !targets.empty()) {
     const auto& [point, distance, reach] = targets.front();
-    warn(fmt::format(
-        "{} of a run are out of reach; point {} is {:.2f} cm from the shoulder, and the arm reaches {:.2f} cm",
-        counted(std::ssize(targets), "points"), point, distance * 100, reach * 100));
+    warn(fmt::format("{} per run {} unreachable (target {} is {:.2f} cm from the shoulder; the arm reaches {:.2f} cm)",
+                     counted(std::ssize(targets), "targets"), targets.size() == 1 ? "is" : "are", point, distance * 100,
+                     reach * 100));
   }
   std::map<std::string, std::vector<std::string>> labels_by_reason;
   for (const SkippedSolver& entry : study.skipped) labels_by_reason[entry.reason].push_back(entry.label);
@@ -43,7 +43,7 @@ void print_notes(const Study& study) {
 
 void add_run_options(const Command& command, RunArguments& arguments) {
   add_out_option(command, arguments.out, "folder for the results; default: out/<study>");
-  command.add("--jobs", &arguments.jobs, "number of solves at once; times are compared only with 1")
+  command.add("--jobs", &arguments.jobs, "number of parallel solves; times are compared only with 1")
       .whole_number({1, 1024});
 }
 
@@ -53,7 +53,7 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
                       RunRequest request, Store::Mode mode) {
   print_notes(study);
   if (is_debug_build()) {
-    warn("this is a debug build; its times are marked and not comparable");
+    warn("this is a debug build: its times are marked and not compared; use a release build to compare times");
   } else if (request.jobs > static_cast<int>(std::thread::hardware_concurrency())) {
     warn(fmt::format("{} jobs share {}", request.jobs, counted(std::thread::hardware_concurrency(), "processors")));
   }
@@ -64,12 +64,12 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
   for (const StoredStudy& earlier : store.studies(study.name)) {
     const std::string difference = difference_in_solves(earlier.definition.json, stored.definition.json);
     if (!difference.empty())
-      warn(
-          fmt::format("{} has a different study named {} ({}); its solves stay there, but its {}; use another name or "
-                      "--out to keep both",
-                      folder.string(), study.name, difference,
-                      mode == Store::Mode::write_shared ? "definition is replaced, and merge takes no two of one name"
-                                                        : "report is overwritten"));
+      warn(fmt::format(
+          "{} has a different study named {} ({}); its solves stay there, but its {}; to keep both, rerun "
+          "with --out NEW",
+          folder.string(), study.name, difference,
+          mode == Store::Mode::write_shared ? "definition is replaced, and merge refuses two studies of one name"
+                                            : "report is overwritten"));
   }
   Progress progress;
   bool is_cancelled = false;
@@ -93,9 +93,9 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
   if (study.checker || std::ranges::any_of(study.solvers, is_external)) {
     const std::int64_t stored_solves = Store(store_path(folder), Store::Mode::read).solve_count(stored);
     if (stored_solves < progress.done)
-      throw std::runtime_error(fmt::format(
-          "{} has {} of the {} solves: one of the programs or somebody else changed it; run the same command again",
-          store_path(folder).string(), stored_solves, progress.done));
+      throw std::runtime_error(
+          fmt::format("{} has only {} of the {} solves: another process changed it; run the same command again",
+                      store_path(folder).string(), stored_solves, progress.done));
   }
   if (is_cancelled) {
     print_message(fmt::format("Stopped: {} of {} solves are kept in {}; run the same command again to continue.",

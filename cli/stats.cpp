@@ -64,7 +64,7 @@ show::Report judge_file(const StatsArguments& arguments, FigureStyle& style) {
   for (judge::MetricSamples& samples : quantities.observed) {
     const results::AnalysisPlan plan = csv::with_margin(arguments.plan, arguments.margin, samples);
     if (arguments.margin.empty() && plan.margin == 0)
-      quantities.notes.push_back(fmt::format("Of {}, which may be negative, no margin is used.", samples.quantity));
+      quantities.notes.push_back(fmt::format("{} may be negative, so no margin is used.", samples.quantity));
     metrics.push_back(judge::judge(std::move(samples), plan));
   }
   show::Report reported;
@@ -91,14 +91,14 @@ void stats(const StatsArguments& arguments) {
     std::error_code unknown;  // if the place cannot be looked at, writing says why
     if (!arguments.out.empty() && std::filesystem::exists(std::filesystem::path(arguments.out) / file, unknown))
       throw std::invalid_argument(
-          fmt::format("--out {}: the {} of a study is there; choose another folder", arguments.out, file));
+          fmt::format("--out {}: the folder has the {} of a study; choose another folder", arguments.out, file));
   }
   FigureStyle style;
   show::Report reported = judge_file(arguments, style);
   if (!arguments.out.empty()) return write_and_print(std::move(reported), arguments.out, arguments.report, style);
   if (arguments.report.is_json) return show_json(show::to_json(reported.model));
   if (reported.model.primary().comparisons.size() > show::max_pairs)
-    reported.model.notes.emplace_back("--out FOLDER writes a report with all pairs.");
+    reported.model.notes.emplace_back("For a report with all pairs, rerun with --out NEW.");
   fmt::print("{}", printable(show::terminal_report(reported.model, "")));
 }
 
@@ -115,6 +115,27 @@ void ask(const csv::MissingOption& question, const Invocation& invocation) {
   if (!question.advice.empty()) print_message(question.advice + " Examples: docs/your-own-csv.md");
 }
 
+// Sets what the options imply, and compares the groups. A question or a file that is not a table makes exit code 1.
+void run_stats(StatsArguments& arguments, Invocation& invocation) {
+  if (arguments.test == "means" || arguments.csv.are_summaries)
+    arguments.plan.test = results::AnalysisPlan::Test::means;
+  if (!arguments.decimal.empty()) arguments.csv.decimal = arguments.decimal[0];
+  arguments.csv.are_means = arguments.plan.test == results::AnalysisPlan::Test::means;
+  if (arguments.csv.are_means && arguments.csv.missing == "worst")
+    throw std::invalid_argument(
+        "--missing worst: a mean cannot count a value without an answer; use --missing drop, or --test ranks");
+  try {
+    stats(arguments);
+  } catch (const csv::MissingOption& question) {
+    ask(question, invocation);
+    invocation.exit_code = 1;
+  } catch (const NotATable& mistake) {
+    print_error(mistake.what());
+    if (!mistake.command.empty()) print_command(mistake.command);
+    invocation.exit_code = 1;
+  }
+}
+
 }  // namespace
 
 void add_stats(const Command& command, Invocation& invocation) {
@@ -122,59 +143,43 @@ void add_stats(const Command& command, Invocation& invocation) {
   csv::Request& csv = arguments->csv;
   command
       .add("FILE", &arguments->file,
-           "CSV with a column of names and one of values, or one of values a solver; - for standard input")
+           "CSV with a column of names and one of values, or a column of values per solver; - for standard input")
       .required();
   command.add("--better", &csv.better,
-              "smaller or larger is better: always asked for; COLUMN=larger: of one of several; repeat");
-  command.add("--label", &csv.label, "column of who is compared, or several; `columns`: each column of numbers is one");
-  command.add("--value", &csv.values, "column of values; repeat for several; not needed if one is left");
+              "required: smaller or larger is better; COLUMN=larger for one of several columns; repeatable");
+  command.add("--label", &csv.label,
+              "column (or several) with the names of what is compared; `columns`: each column of numbers is one");
+  command.add("--value", &csv.values, "column of values; repeatable; not needed if only one is left");
   command.add(
       "--block", &csv.block,
-      "column of what each of them did, or several: compares within them; row, with --label columns: each row is one");
-  command.add("--run", &csv.run, "column of repeats, whose rows count once, by their mean; row: each row is one");
-  command.add("--where", &csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several");
+      "column (or several) of the problem that all of them had; compares within it; row, with --label columns: each "
+      "row is one");
+  command.add("--run", &csv.run, "column of repeats, whose rows are averaged; row: each row is one repeat");
+  command.add("--where", &csv.where, "COLUMN=VALUE: use only these rows; repeatable");
   command.add("--summaries", &csv.are_summaries,
-              "FILE has printed numbers: columns name, n, mean, sd and, if there are several, metric");
-  command.add("--n", &csv.n, "values of each printed mean, where the file has no column n")
+              "FILE has published means: columns name, n, mean, sd and, if there are several, metric");
+  command.add("--n", &csv.n, "number of values of each published mean, if the file has no column n")
       .whole_number({2, 1'000'000'000})
       .needs("--summaries");
   command
       .add("--missing", &csv.missing,
-           "rows without a value: drop leaves them out, worst counts each as no answer; asked for if there are such")
+           "required if rows have no value: drop leaves them out, worst counts each as no answer")
       .one_of({"drop", "worst"})
       .excludes("--summaries");
-  command.add("--decimal", &arguments->decimal, "mark in numbers [found]").one_of({".", ","});
-  command.add("--test", &arguments->test, "of ranks or means [ranks]").one_of({"ranks", "means"});
-  command.add("--control", &arguments->plan.control, "compares with this group alone");
+  command.add("--decimal", &arguments->decimal, "decimal mark [found in the file]").one_of({".", ","});
+  command.add("--test", &arguments->test, "compare ranks or means [ranks]").one_of({"ranks", "means"});
+  command.add("--control", &arguments->plan.control, "compare only with this group");
   command.add("--margin", &arguments->margin, "difference that matters: 5%, or 0.1 in the unit of the values [5%]");
-  command.add("--significance", &arguments->plan.significance, "of all pairs together").number_in({0.0001, 0.2});
-  add_out_option(command, arguments->out, "folder for a report");
+  command.add("--significance", &arguments->plan.significance, "level for all pairs together").number_in({0.0001, 0.2});
+  add_out_option(command, arguments->out, "folder to write a report to");
   add_report_options(command, arguments->report);
   for (const char* name : {"--figures", "--style"}) command.option(name).needs("--out");
   command.footer(
       "  ikbench stats results.csv --better smaller\n"
       "  ikbench stats benchmark.csv --label solver --value error --block target --run seed --better smaller\n"
       "  ikbench stats --summaries published.csv --better smaller\n\n"
-      "docs/your-own-csv.md has a command for each of eight kinds of tables.");
-  command.callback([arguments, &invocation] {
-    if (arguments->test == "means" || arguments->csv.are_summaries)
-      arguments->plan.test = results::AnalysisPlan::Test::means;
-    if (!arguments->decimal.empty()) arguments->csv.decimal = arguments->decimal[0];
-    arguments->csv.are_means = arguments->plan.test == results::AnalysisPlan::Test::means;
-    if (arguments->csv.are_means && arguments->csv.missing == "worst")
-      throw std::invalid_argument(
-          "--missing worst: a mean cannot count a value without an answer; use --missing drop, or --test ranks");
-    try {
-      stats(*arguments);
-    } catch (const csv::MissingOption& question) {
-      ask(question, invocation);
-      invocation.exit_code = 1;
-    } catch (const NotATable& mistake) {
-      print_error(mistake.what());
-      if (!mistake.command.empty()) print_command(mistake.command);
-      invocation.exit_code = 1;
-    }
-  });
+      "docs/your-own-csv.md has a command for each of eight kinds of table.");
+  command.callback([arguments, &invocation] { run_stats(*arguments, invocation); });
 }
 
 }  // namespace ikbench::cli

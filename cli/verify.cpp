@@ -32,8 +32,8 @@ bool is_as_archived(const Store& store, const std::string& fact, std::string_vie
     is_archived = true;
     if (archived->second != now)
       throw std::invalid_argument(fmt::format(
-          "{} was {} when it was archived, and now it is {}; if more was solved since, merge it into a new store", name,
-          archived->second, now));
+          "{} was {} when it was archived, and is {} now; if solves were added since then, merge it into a new store",
+          name, archived->second, now));
   }
   return is_archived;
 }
@@ -47,20 +47,20 @@ std::string seal_text(const Store& store, const std::string& given, const Stored
       has_seal || !given.empty() ? seal_of(store) : "";  // computed only if needed, because a seal reads all rows
   const bool is_sealed = is_as_archived(store, std::string(seal_fact), "its seal", seal);
   const bool is_of_solves =
-      is_as_archived(store, fmt::format("{}{}", fingerprint_fact, study.name), "what it holds", line);
+      is_as_archived(store, fmt::format("{}{}", fingerprint_fact, study.name), "its content", line);
   if (!given.empty()) {
     if (!is_sealed && lower_case(given) != seal)
-      throw std::invalid_argument("it has no seal, so it is no archive, or an older ikbench made it");
+      throw std::invalid_argument("it has no seal, so it is not an archive, or an older ikbench made it");
     if (lower_case(given) != seal)
       throw std::invalid_argument(fmt::format(
-          "its seal is {}, not the given {}; so it is another archive, or was changed since it was archived", seal,
+          "its seal is {}, not the given {}, so it is another archive, or it was changed since it was archived", seal,
           given));
     return "It has the given seal, so it is unchanged since it was archived, times and extras included. ";
   }
   if (is_sealed)
     return fmt::format(
-        "It is unchanged since it was archived, times and extras included, by whoever archived it: seal {}. --seal "
-        "compares with a seal that was printed elsewhere. ",
+        "It is unchanged since somebody archived it, times and extras included (seal {}). To compare with a seal that "
+        "is printed elsewhere, add --seal SEAL. ",
         seal);
   if (is_of_solves)
     return "Its solves are unchanged since it was archived, but the seal of an older ikbench does not cover times and "
@@ -82,7 +82,7 @@ void add_verify(const Command& command, Invocation& invocation) {
   auto arguments = std::make_shared<VerifyArguments>();
   command.add("STORE", &arguments->store, "path of a store.sqlite").required();
   add_study_option(command, arguments->study);
-  command.add("--solves", &arguments->solves, "number of solves to make again, drawn at random").whole_number();
+  command.add("--solves", &arguments->solves, "number of solves to repeat, chosen at random").whole_number();
   command.add("--seal", &arguments->seal, "the seal of the archive, as printed in a paper or with a release");
   command.footer(
       "  ikbench verify theirs.sqlite\n"
@@ -94,7 +94,7 @@ void add_verify(const Command& command, Invocation& invocation) {
     const SolveVisitor redraw = target_replay_check(study);
     const auto checked = read_checked(store, study, redraw).solves.size();
     const std::string line = fingerprint_line(store, study), seal = seal_text(store, arguments->seal, study, line);
-    std::optional<ProgressBar> bar("solving again");
+    std::optional<ProgressBar> bar("repeating");
     const RerunReport again =
         rerun_sample(store, study, arguments->solves, [&](const Progress& progress) { bar->show(progress); });
     bar.reset();  // clears the line of the bar for the answer
@@ -106,13 +106,13 @@ void add_verify(const Command& command, Invocation& invocation) {
       if (labels.empty()) return;
       unchecked.push_back(fmt::format("answers and counts of {}{}", fmt::join(labels, ", "), reason));
     };
-    if (!study.definition.check.process.empty()) unchecked.emplace_back("what the study's check said");
+    if (!study.definition.check.process.empty()) unchecked.emplace_back("the results of the study's own check");
     leave_out(again.external, " (programs and libraries)");
-    leave_out(again.changed_source, " (the source is another in this version)");
-    if (study.definition.stop.seconds > 0) leave_out({"all solves"}, ", which a clock may end");
+    leave_out(again.changed_source, " (their source differs in this version)");
+    if (study.definition.stop.seconds > 0) leave_out({"all solves"}, ", which a time limit may end");
     const std::string repeated =
-        again.solves == 0 ? "None was made again."
-                          : fmt::format("{} of {}, drawn at random, were made again and have the same bits and counts.",
+        again.solves == 0 ? "No solve was repeated."
+                          : fmt::format("{} of {} solves, chosen at random, were repeated: same bits, same counts.",
                                         again.solves, again.eligible);
     const std::string text =
         fmt::format("{}: errors, joint motion and status of all {} follow from their answers{}. {}\n{}Not checked: {}.",

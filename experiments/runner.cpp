@@ -110,8 +110,8 @@ void check_stored(const SolveRecord& record, const StudyWork& work, std::size_t 
                          std::ranges::all_of(record.answer_rad, [](double angle) { return std::isfinite(angle); }));
   if (follows && can_move) return;
   throw std::invalid_argument(
-      fmt::format("the stored solve of run {}, point {} by {} is not what the study makes next; the store was edited, "
-                  "so choose another --out",
+      fmt::format("the stored solve of run {}, point {} by {} is not the one that the study makes; the store was "
+                  "edited, so rerun with --out NEW",
                   record.run, record.point, record.label));
 }
 
@@ -146,9 +146,8 @@ std::optional<SolveRecord> without_suspension(SuspensionWatch& watch, const Stop
     if (!was_suspended && (record.status == Status::ok || !is_over())) return record;
     if (is_over()) return std::nullopt;
   }
-  throw std::runtime_error(
-      fmt::format("this process stood still in each of {} tries of a solve; run the same command again, and it goes on",
-                  max_tries));
+  throw std::runtime_error(fmt::format(
+      "this process stood still in each of {} tries of a solve; run the same command again to continue", max_tries));
 }
 
 // Asks the study's check about an answer that reached its target. Returns false if a stop was requested and the check
@@ -161,7 +160,7 @@ bool is_checked(const StudyWork& work, std::unique_ptr<ChildProcess>& checker, S
   } catch (const ProcessFailure& failure) {
     const std::string why = failure.why + (checker ? checker->end_after(failure.kind) : "");
     if (is_over()) return false;
-    throw std::invalid_argument(fmt::format("[check] of {}, run {}, point {}: {}; what is stored is kept", record.label,
+    throw std::invalid_argument(fmt::format("[check] of {}, run {}, point {}: {}; stored solves are kept", record.label,
                                             record.run, record.point, why));
   }
 }
@@ -352,13 +351,13 @@ using Anomalies = std::map<std::string, std::set<std::string>>;
 // Cuts names of extras to what the store takes, and notes the anomalies of a user's class.
 void sanitize_record(SolveRecord& record, std::set<std::string>& anomalies) {
   if (record.status == Status::not_finite)
-    anomalies.insert("errors or answers are not finite, or have not one number for each joint");
+    anomalies.insert("errors or answers are not finite, or do not have one number for each joint");
   if (record.counted_by == CountedBy::none)
-    anomalies.insert("it did not ask the objective, so nobody counts its evaluations");
+    anomalies.insert("it did not ask the objective, so its evaluations are not counted");
   const std::map<std::string, double> extras = std::exchange(record.extras, {});
   for (const auto& [name, value] : extras) {
     const std::string cut(base::front(base::one_line(name), 200));
-    if (cut != name) anomalies.insert(fmt::format("names of its notes are cut to {}", base::plain_text));
+    if (cut != name) anomalies.insert(fmt::format("names of its extras are cut to {}", base::plain_text));
     record.extras[cut] = value;
   }
 }
@@ -405,7 +404,7 @@ SolveVisitor check_before_storing(const StoredStudy& stored) {
     try {
       check(record);
     } catch (const std::invalid_argument& error) {
-      throw std::runtime_error(fmt::format("{}; it is not stored, as no reader would take it", error.what()));
+      throw std::runtime_error(fmt::format("{}; it is not stored, because no reader would accept it", error.what()));
     }
   };
 }
@@ -454,7 +453,7 @@ void refuse_another(const StoredStudy& ours, const StoredStudy& now) {
     return;
   throw std::invalid_argument(fmt::format(
       "another ikbench has meanwhile saved a different study named '{}' in this store; no solve is lost; give the other "
-      "study another name or --out, then run this one again for its report",
+      "study another name or --out, then run this study again for its report",
       ours.name));
 }
 

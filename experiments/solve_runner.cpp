@@ -58,7 +58,7 @@ class SolveContext {
   static void refuse_to_exit() {
     if (current == nullptr) return;
     const std::string message = one_line(current->message("the solver ends the program (exit)"));
-    std::fputs(fmt::format("ikbench: {}; what is stored is kept\n", message).c_str(), stderr);
+    std::fputs(fmt::format("ikbench: {}; stored solves are kept\n", message).c_str(), stderr);
     std::fflush(stderr);
     ::_exit(2);
   }
@@ -126,7 +126,7 @@ std::string SolveRunner::anomalies() const {
   if (const std::string failure = processes_ ? processes_->last_failure() : ""; !failure.empty())
     clauses.push_back("last failure: " + failure);
   if (rerun_differences_ > 0)
-    clauses.push_back(fmt::format("it answers otherwise when it is asked again, {} of {} times",
+    clauses.push_back(fmt::format("it gave other answers to the same question in {} of {} repeats",
                                   rerun_differences_.load(), rerun_count_.load()));
   return fmt::format("{}", fmt::join(clauses, "; "));
 }
@@ -160,7 +160,7 @@ SolveRunner::TimedSolve SolveRunner::solve_timed(Solver& solver, const SolveRequ
   } catch (const std::exception& error) {
     throw std::runtime_error(context.message(error.what()));
   } catch (...) {
-    throw std::runtime_error(context.message("the solver throws what is no std::exception"));
+    throw std::runtime_error(context.message("the solver throws something that is not a std::exception"));
   }
   if (program == nullptr) return timed;
   const ProcessReport& report = timed.report.emplace(program->report());

@@ -37,8 +37,9 @@ namespace {
 Study study_in_store(const StoredStudy& stored) {
   const std::optional<Robot> arm = robots::stored_arm(stored.definition.arm);
   if (!arm)
-    throw std::invalid_argument(fmt::format(
-        "study {}: its stored arm cannot be read; it was changed: solve it again into another folder", stored.name));
+    throw std::invalid_argument(
+        fmt::format("study {}: its stored arm cannot be read, so it was changed; solve the study again with --out NEW",
+                    stored.name));
   Study study;
   static_cast<StudySpec&>(study) = stored.definition;
   study.robot_of_file = std::make_shared<const Robot>(*arm);
@@ -64,8 +65,8 @@ void with_store_context(Action&& action) {
   try {
     action();
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(
-        fmt::format("{}; the solve was changed since it was stored: solve it again into another folder", error.what()));
+    throw std::invalid_argument(fmt::format(
+        "{}; the solve was changed since it was stored; solve the study again with --out NEW", error.what()));
   }
 }
 
@@ -96,7 +97,7 @@ std::optional<SolverEntry> built_in(const Series& series, const Json& options) {
     if (name == "population") {
       if (!value.is_number_integer() || value < population_range.first || value > population_range.second)
         throw std::invalid_argument(fmt::format(
-            "the population of {} is no whole number from {} to {}; it was changed: solve again into another folder",
+            "the population of {} is not a whole number from {} to {}, so it was changed; solve the study again with --out NEW",
             base::one_line(base::front(series.label, 60)), population_range.first, population_range.second));
       entry.population = value;
     } else if (value.is_number()) {
@@ -150,7 +151,7 @@ void check_shape(const StudyDefinition& study, const Robot& arm, const SolveReco
   if (solve.target_position_m.size() != 3 || solve.reached_position_m.size() != 3 ||
       solve.target_rotation.size() != 9 || solve.start_rad.size() != joints || solve.answer_rad.size() != joints)
     refuse(solve,
-           fmt::format("its target, start or answer is not that of an arm with {}", counted(arm.joints(), "joints")));
+           fmt::format("its target, start or answer does not fit an arm with {}", counted(arm.joints(), "joints")));
   if (arm_stays(solve.status) && solve.answer_rad != solve.start_rad)
     refuse(solve, fmt::format("the arm moved, but its status is {}", name_of(solve.status)));
 }
@@ -199,9 +200,9 @@ void check(const StudyDefinition& study, const Robot& arm, SolverKind kind, cons
       std::isfinite(computed.position_error + computed.orientation_error))
     refuse(solve, "its status is not_finite, but its numbers are finite");
   if (kind != SolverKind::program && solve.seconds != solve.wall_seconds)
-    refuse(solve, "its seconds are not its wall_seconds, and only a program has a time of its own");
+    refuse(solve, "its seconds are not its wall_seconds, but only a program may report its own time");
   if (solve.all_answers_rad.size() % solve.answer_rad.size() != 0)
-    refuse(solve, "its all_answers_rad are not answers of as many joints");
+    refuse(solve, "its all_answers_rad do not have one number for each joint");
   if (!has_check_results(study, solve)) refuse(solve, "its status or extras are not what the study's check gives");
   if (!is_sound(solve.status) && solve.status != Status::invalid && solve.status != Status::limit_violated)
     return;                         // the answer is not stored: the arm stayed, or the reported error decided
@@ -214,7 +215,7 @@ void check(const StudyDefinition& study, const Robot& arm, SolverKind kind, cons
 // refused is `ok` here.
 void expect_same(const SolveRecord& solve, const SolveRecord& again) {
   const auto compare = [&](const char* column, const auto& repeated, const auto& stored) {
-    if (repeated != stored) refuse(solve, fmt::format("made again, it has {} {}, not {}", column, repeated, stored));
+    if (repeated != stored) refuse(solve, fmt::format("repeated, it has {} {}, not {}", column, repeated, stored));
   };
   const bool is_before_check = again.status == Status::ok && is_reached(solve.status);
   compare("status", name_of(is_before_check ? solve.status : again.status), name_of(solve.status));
@@ -222,8 +223,8 @@ void expect_same(const SolveRecord& solve, const SolveRecord& again) {
   compare("evaluations", again.evaluations, solve.evaluations);
   compare("iterations", again.iterations, solve.iterations);
   compare("restarts", again.restarts, solve.restarts);
-  if (again.improved_at != solve.improved_at) refuse(solve, "made again, it has another improved_at");
-  if (!same_bits(again.answer_rad, solve.answer_rad)) refuse(solve, "made again, it has another answer");
+  if (again.improved_at != solve.improved_at) refuse(solve, "repeated, it has another improved_at");
+  if (!same_bits(again.answer_rad, solve.answer_rad)) refuse(solve, "repeated, it has another answer");
 }
 
 }  // namespace
@@ -241,7 +242,7 @@ SolveVisitor stored_solve_check(const StoredStudy& study) {
           next = std::tuple(std::string(), 0, 0), left_rad = std::vector<double>()](const SolveRecord& solve) mutable {
     with_store_context([&] {
       if (is_chained && next == std::tie(solve.label, solve.run, solve.point) && left_rad != solve.start_rad)
-        refuse(solve, "it does not start where the solve before it left the arm");
+        refuse(solve, "it does not start at the previous answer");
       check(solve);
     });
     next = {solve.label, solve.run, solve.point + 1};
@@ -281,9 +282,9 @@ void check_name(const StoredStudy& study, const Series& series) {
       names.push_back(info.name);
   }
   if (names.empty() || std::ranges::count(names, series.algorithm) > 0) return;
-  throw std::invalid_argument(fmt::format("study {}, {}: its solves are by {}, not by {}; the name was changed since",
-                                          study.name, one_line(front(series.label, 60)), names.front(),
-                                          one_line(front(series.algorithm, 60))));
+  throw std::invalid_argument(
+      fmt::format("study {}, {}: its solves are by {}, not by {}, so the name was changed since then", study.name,
+                  one_line(front(series.label, 60)), names.front(), one_line(front(series.algorithm, 60))));
 }
 
 }  // namespace

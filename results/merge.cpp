@@ -60,11 +60,11 @@ std::vector<std::string> configurations_of(const StoredStudy& study) {
 std::string why_not_one(const StoredStudy& study, const StoredStudy& other) {
   const std::string difference = difference_in_solves(study.definition.json, other.definition.json);
   if (!difference.empty()) return difference;
-  if (configurations_of(study) != configurations_of(other)) return "its solvers or their options are others";
+  if (configurations_of(study) != configurations_of(other)) return "its solvers or their options differ";
   if (!std::ranges::equal(study.series, other.series, {}, &Series::label, &Series::label))
-    return "its solvers have other labels";
+    return "the labels of its solvers differ";
   if (keys_of(study) != keys_of(other))
-    return "the version of the solvers or of shared code is another, so use one version of ikbench for all";
+    return "the version of the solvers or of shared code differs; use one version of ikbench for all";
   return "";
 }
 
@@ -96,10 +96,10 @@ void refuse_another_study(Studies& known, const std::vector<StoredStudy>& studie
   for (const StoredStudy& study : studies) {
     const auto& [first, first_place] = known.try_emplace(study.name, study, place).first->second;
     if (const std::string why = why_not_one(first, study); !why.empty())
-      throw std::invalid_argument(
-          fmt::format("the study '{}' is not the same in {} and {}: {}; nothing was merged; solve one of them again as "
-                      "the other is, or leave one store out",
-                      study.name, quoted(first_place), quoted(place), why));
+      throw std::invalid_argument(fmt::format(
+          "the study '{}' is not the same in {} and {}: {}; nothing was merged; solve one of them again like "
+          "the other, or leave one store out",
+          study.name, quoted(first_place), quoted(place), why));
   }
 }
 
@@ -129,7 +129,7 @@ void refuse_other_bits(SQLite::Database& sqlite, const fs::path& ours, const fs:
                                       fmt::join(differ, " || "), checked_solves));
   if (!query.executeStep()) return;
   throw std::invalid_argument(fmt::format(
-      "the solve of run {}, point {} by {} has other bits in {} than in {} ({}); it was not merged; find "
+      "the solve of run {}, point {} by {} has other bits in {} than in {} ({}), so nothing of this store was merged; find "
       "out which machine, compiler or edit changed them (ikbench export --format fingerprint)",
       query.getColumn(0).getInt64(), query.getColumn(1).getInt64(), base::in_quotes(query.getColumn(2).getString()),
       quoted(theirs), quoted(ours), query.getColumn(3).getString().substr(1)));
@@ -188,7 +188,7 @@ std::string difference_in_solves(const std::string& first, const std::string& se
   const auto left = base::parsed_json(first).flatten(), right = base::parsed_json(second).flatten();
   const auto text_of = [](const nlohmann::json& json, const std::string& key) {
     constexpr std::size_t most = 60;
-    if (!json.contains(key)) return std::string("not there");
+    if (!json.contains(key)) return std::string("missing");
     const std::string text = base::text_of(json[key]);
     return text.size() <= most ? text : "another";
   };
@@ -203,7 +203,7 @@ std::string difference_in_solves(const std::string& first, const std::string& se
       continue;
     if (left.contains(key) && right.contains(key) && left[key] == right[key]) continue;
     const std::string before = text_of(left, key), after = text_of(right, key);
-    return before == after ? fmt::format("{} is another", name) : fmt::format("{} is {} and {}", name, before, after);
+    return before == after ? fmt::format("{} differs", name) : fmt::format("{} is {} and {}", name, before, after);
   }
   return "";
 }
@@ -249,8 +249,8 @@ MergeResult merge(const fs::path& out, std::vector<fs::path> stores, const MakeC
       merged.added += added;
       merged.duplicates += checked - added;
       if (checked < there)
-        merged.skipped.push_back(
-            fmt::format("{} of {} solves in {}, which none of its studies has", there - checked, there, quoted(place)));
+        merged.skipped.push_back(fmt::format("{} of {} solves in {}, because none of its studies has them",
+                                             there - checked, there, quoted(place)));
     });
   }
   for (const StoredStudy& study : all.studies())

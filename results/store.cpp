@@ -136,8 +136,8 @@ std::string checked_path(const fs::path& file, Store::Mode mode) {
   const fs::path path = fs::absolute(file, error);
   const fs::file_status status = fs::status(path, error);
   if (file.empty() || fs::is_directory(status))
-    throw std::invalid_argument(
-        fmt::format("'{}' is a folder; expected a store, as '{}'", file.string(), (file / "store.sqlite").string()));
+    throw std::invalid_argument(fmt::format("'{}' is a folder; expected a store, such as '{}'", file.string(),
+                                            (file / "store.sqlite").string()));
   if (fs::exists(status) && (!fs::is_regular_file(status) || is_made_by_reading(path)))
     throw std::invalid_argument(fmt::format("'{}' is not a regular file; expected a store", file.string()));
   if (mode != Store::Mode::read && fs::is_symlink(path, error))
@@ -300,16 +300,16 @@ struct Store::Database {
     if (fs::file_size(name) == 0 && number("PRAGMA page_count") == 0)
       throw InterruptedWrite(fmt::format(
           "'{}' is not an ikbench store yet: it is empty, because ikbench was killed when it began; give the command "
-          "that was killed again, which goes on with it",
+          "that was killed again, which continues it",
           name));
     if (number("PRAGMA application_id") != application_id)
       throw std::invalid_argument(fmt::format(
           "'{}' is not an ikbench store: another program wrote it; expected a file written by ikbench", name));
     if (const std::int64_t version = number("PRAGMA user_version"); version != store_version)
-      throw std::invalid_argument(fmt::format(
-          "'{}' is a store of version {}, and this ikbench reads version {} alone; read it with the ikbench "
-          "that made it, or run its studies into a new store",
-          name, version, store_version));
+      throw std::invalid_argument(
+          fmt::format("'{}' is a store of version {}, but this ikbench reads only version {}; read it with the ikbench "
+                      "that made it, or run its studies into a new store",
+                      name, version, store_version));
     // SQLite reads missing bytes of the last page as zeros, so the size is checked. A kill while the log is folded in
     // may leave half a page, which is no damage if the log still has that page.
     const auto size = fs::file_size(name), page = static_cast<std::uintmax_t>(number("PRAGMA page_size"));
@@ -442,7 +442,7 @@ std::vector<StoredStudy> Store::studies(const std::string& name) const {
     const auto object = [](SQLite::Column column) {
       if (!base::parsed_json(column.getString()).is_object())
         throw CorruptValue(
-            fmt::format("{} {} is no JSON object", column.getName(), base::in_quotes(column.getString())));
+            fmt::format("{} {} is not a JSON object", column.getName(), base::in_quotes(column.getString())));
       return column.getString();
     };
     for (query.bind(1, name); query.executeStep();) {
@@ -476,8 +476,8 @@ StoredStudy Store::study(const std::string& name) const {
     throw std::invalid_argument(
         fmt::format("'{}' has no study; expected a store that `ikbench run` wrote", database_->name));
   if (!name.empty() && std::ranges::find(names, name) == names.end())
-    throw std::invalid_argument(
-        fmt::format("no study '{}' in '{}'; expected one of: {}", name, database_->name, fmt::join(names, ", ")));
+    throw std::invalid_argument(fmt::format("there is no study '{}' in '{}'; expected one of: {}", name,
+                                            database_->name, fmt::join(names, ", ")));
   return studies(name.empty() ? names.front() : name).front();
 }
 
@@ -630,7 +630,7 @@ void Store::for_each_in_study(const StoredStudy& study, const RecordConsumer& ta
       SQLite::bind(query, series.key, study.definition.runs, study.definition.points);
       database_->read_solves(query, [&](SolveRecord& record) {
         if (record.label != series.label)
-          throw CorruptValue(fmt::format("the label of {} is another in its solves", base::in_quotes(series.label)));
+          throw CorruptValue(fmt::format("the label of {} differs in its solves", base::in_quotes(series.label)));
         record.study = study.name;  // a solve has the name of the study that solved it first
         take(record);
       });

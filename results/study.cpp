@@ -17,16 +17,16 @@ void list_fields(base::Fields& io, StudySpec& study) {
   io.text("name", study.name, {"results go to out/<name>/; default: the name of the file", base::InKey::no});
   io.text("title", study.title, {"", base::InKey::no});
   io.text("published", study.published,
-          {"compare the results with the printed tables of this paper; \"\": none", base::InKey::no});
+          {"compare the results with the tables of this paper; \"\": none", base::InKey::no});
   io.text("robot", study.robot,
           {"a name from ikbench list robots, or a file beside the study: \"my_arm.toml\", \"my_arm.urdf\"",
            base::InKey::in_text});
   io.choice(
       "search", study.search, names_of(study.search),
       {"wrist: search the joints before the spherical wrist and solve the wrist in closed form; all_joints: search all "
-       "joints for the position alone; pose: search all joints for position and orientation; axis: for the position and "
-       "the direction of the tool's z axis; flange: search all but the last, which only turns the tool, for the "
-       "position alone",
+       "joints, for the position only; pose: search all joints, for position and orientation; axis: for the position and "
+       "the direction of the tool's z axis; flange: search all but the last joint, which only turns the tool, for the "
+       "position only",
        base::InKey::in_text});
   io.number(
       "rotation_weight_m", study.rotation_weight, 1, {0.001, 10},
@@ -51,23 +51,23 @@ void list_fields(base::Fields& io, StudySpec& study) {
       "into_limits: after a solve, joints outside their limits are turned back inside by whole turns where that is "
       "possible, for every solver; nearest, the default with search = \"pose\": all joints, to where they are nearest to "
       "the start; the pose stays");
-  io.whole("motion_joints", study.motion_joints, {0, 64},
-           "joint motion [deg], but no largest move, is that of so many joints, from the first; 0: of all");
+  io.whole(
+      "motion_joints", study.motion_joints, {0, 64},
+      "joint motion [deg] counts only this number of joints, from the first (the largest displacement counts all); 0: all");
   io.choice("start", study.start, names_of(study.start),
-            "a solve starts where the previous one left the arm, at initial_deg, in the middle of the joint limits, at "
+            "a solve starts at the previous answer, at initial_deg, in the middle of the joint limits, at "
             "random within them, or near a solution of a random target");
   io.number("near_deg", study.near, base::degree, {0, 360},
-            "with start = \"near\": largest distance of each joint that turns from that solution");
+            "with start = \"near\": largest distance of each revolute joint from that solution");
   io.whole("population", study.population, population_range,
            {"candidates per iteration; a solver can override it", base::InKey::in_text});
   io.whole("runs", study.runs, {1, 1'000'000}, {"independent repetitions", base::InKey::no});
-  io.whole(
-      "turns", study.turns, {1, 1000},
-      {"sessions in which all solvers do their share of the runs or targets, with new processes and another order: "
-       "times are compared over them, from 4 on; at most one for each run or target",
-       base::InKey::no});
+  io.whole("turns", study.turns, {1, 1000},
+           {"sessions in which all solvers solve a share of the runs or targets, in new processes and another order: "
+            "times are compared over them, from 4 on; at most one for each run or target",
+            base::InKey::no});
   io.choice("state", study.state, names_of(study.state),
-            "which call on a target is timed where solves do not start from the one before: the first, after other "
+            "which call on a target is timed, if solves do not start from the previous answer: the first, after other "
             "solvers' work; hot: the second");
   io.whole("seed", study.seed, {0, base::no_limit}, {"seed of all random numbers", base::InKey::in_text});
 }
@@ -77,7 +77,7 @@ StudyDefinition parse_definition(std::string_view json) {
 }
 
 StudyDefinition definition_of(const base::Json& all, std::string json) {
-  if (!all.is_object()) throw std::invalid_argument("the definition of a study is no JSON object");
+  if (!all.is_object()) throw std::invalid_argument("the definition of a study is not a JSON object");
   const toml::table table = base::toml_of(all);
   base::TomlReader reader(table, fmt::format("study {}", table["name"].value_or("without a name")), "");
   base::TomlReader path = reader.part("path"), stop = reader.part("stop"), reach = reader.part("unreachable_targets"),

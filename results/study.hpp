@@ -41,26 +41,28 @@ constexpr std::pair<double, double> margin_percent_range{0, 99};
 // Lists the fields once for study files, the store's JSON and the command line: name, member, range and meaning.
 inline void list_fields(base::Fields& io, AnalysisPlan& plan) {
   constexpr double percent = 0.01;
-  io.choice("test", plan.test, {"ranks", "means"}, "what decides: ranks, or means as papers compare them");
+  io.choice("test", plan.test, {"ranks", "means"}, "what is compared: ranks, or means, as in papers");
   io.choice(
       "values", plan.values, {"runs", "points"},
-      "with start = \"previous\", what is compared: runs, each the mean of its points, or points, each the mean of "
+      "with start = \"previous\", what counts as one value: a run, by the mean of its points, or a point, by the mean of "
       "its runs");
   io.text(
       "metric", plan.metric,
-      "what decides who is best, a metric of ikbench list metrics; \"\": solved where any target is solved, else the "
+      "metric that decides which solver is best (ikbench list metrics); \"\": solved if any target is solved, otherwise the "
       "error");
-  io.texts("then", plan.tie_breakers,
-           "where solved does not tell solvers apart, what the headline goes on to: the first of these that is judged, "
-           "out of time, evaluations and motion; []: nothing. These and the metric share the significance, and decide "
-           "the exit code of compare");
+  io.texts(
+      "then", plan.tie_breakers,
+      "tie-breakers, out of time, evaluations and motion: if solved does not separate the best solvers, the headline "
+      "compares them by the first of these that is compared at all; []: none. The metric and the tie-breakers share "
+      "the significance and decide the exit code of compare");
   io.text("control", plan.control, "label to compare the others with; \"\": compare every pair");
   io.number("significance", plan.significance, 1, {0.0001, 0.2},
-            "significance level of the tests of all metrics that the plan names together");
-  io.number("margin_percent", plan.margin, percent, margin_percent_range,
-            "smallest relative difference that matters (of shares in points); within it two solvers count as the same");
+            "significance level of all tests together, in the metrics that the plan names");
+  io.number(
+      "margin_percent", plan.margin, percent, margin_percent_range,
+      "smallest relative difference that matters (for shares: in percentage points); within it two solvers are the same");
   io.number("deadline_ms", plan.deadline, 0.001, {0, 1e6},
-            "tells what is solved within this time; 0: within loop.period_ms, if there is one");
+            "reports what is solved within this time; 0: within loop.period_ms, if there is one");
 }
 
 // A control loop along a path, where each solve has a period. It decides no number of a solve.
@@ -70,7 +72,7 @@ struct ControlLoop {
 inline void list_fields(base::Fields& io, ControlLoop& loop) {
   io.number(
       "period_ms", loop.period, 0.001, {0, 1e6},
-      "of a path with start = \"previous\": tells solves that take longer, and steps for which a joint is too slow; "
+      "for a path with start = \"previous\": reports solves that take longer, and steps for which a joint is too slow; "
       "0: no loop");
 }
 
@@ -88,7 +90,7 @@ struct AnswerCheck {
   bool operator==(const AnswerCheck&) const = default;
 };
 inline void list_fields(base::Fields& io, AnswerCheck& check) {
-  io.texts("larger", check.larger, "numbers that it gives of every answer, of which larger ones are better");
+  io.texts("larger", check.larger, "numbers that it gives for every answer, of which larger ones are better");
   io.texts("smaller", check.smaller, "the same, of which smaller ones are better");
 }
 

@@ -27,7 +27,7 @@ struct LimitedLink {
 inline void list_fields(base::Fields& io, LimitedLink& one) {
   DhLink& link = one.link;
   io.choice("joint", link.joint, {"turns", "slides", "coupled"},
-            "turns about z, slides along z, or turns this link alone about y, as in a parallelogram");
+            "turns about z, slides along z, or turns only this link about y, as in a parallelogram");
   io.number("offset_deg", link.offset, base::degree, angles_deg, "added to the joint's angle");
   io.number("d_m", link.d, 1, one.lengths, "along z");
   io.number("a_m", link.a, 1, one.lengths, "along x");
@@ -38,7 +38,7 @@ inline void list_fields(base::Fields& io, LimitedLink& one) {
     io.numbers("limits_m", one.limits, 1, 2, "from, to");
   } else if (!one.limits.allFinite()) {
     std::string none(no_limits);
-    io.text("limits_deg", none, "it turns without end");
+    io.text("limits_deg", none, "a continuous joint, without limits");
   } else {
     io.numbers("limits_deg", one.limits, base::degree, 2, "from, to");
   }
@@ -50,10 +50,10 @@ inline void list_fields(base::Fields& io, Frame& frame) {
 }
 
 inline void list_fields(base::Fields& io, Robot& arm) {
-  io.text("summary", arm.summary, "in a line");
+  io.text("summary", arm.summary, "one line that describes the arm");
   io.text("source", arm.source, "where the numbers are from");
   io.numbers("velocity_deg_s", arm.velocity, 1, 0,
-             "largest velocity of each joint a second: degrees, and metres for one that slides");
+             "largest velocity of each joint per second: degrees, and metres for prismatic joints");
 }
 
 }  // namespace ikbench::robots

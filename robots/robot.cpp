@@ -39,7 +39,7 @@ LimitedLink read_link(TomlReader reader, Bounds lengths) {
   const char* const key = slides ? "limits_m" : "limits_deg";
   const toml::node* const limits = reader.table().get(key);
   if (slides && limits == nullptr)
-    throw reader.mistake(key, "a joint that slides has no limits_m; expected them, such as limits_m = [0, 0.5]");
+    throw reader.mistake(key, "a prismatic joint has no limits_m; expected them, such as limits_m = [0, 0.5]");
   const auto [largest, unit] = slides ? std::pair(lengths.second, 1.0) : std::pair(angles_deg.second, degree);
   if (is_endless) return one;
   if (!(one.limits[0] < one.limits[1]) || !(one.limits.cwiseAbs().maxCoeff() <= largest * unit))
@@ -143,7 +143,7 @@ std::string size_of(const Robot& arm) {
   return fmt::format("{}{}{}{}", counted(arm.joints(), "joints"),
                      std::isfinite(reach) ? fmt::format(", reach {:.3g} m", reach) : "",
                      offset > 0 ? fmt::format(", tool {:.3g} m from the last joint", offset) : "",
-                     arm.other_tip.empty() ? "" : fmt::format("; --tip {} for another end", arm.other_tip));
+                     arm.other_tip.empty() ? "" : fmt::format("; for another end: --tip {}", arm.other_tip));
 }
 
 std::vector<std::string> doubts_of(const Robot& arm) {
@@ -161,7 +161,7 @@ Robot robot(std::string_view name) {
   if (const EmbeddedFile* const file = find_embedded(arm_files, name)) return parse_robot(file->text, file->name);
   std::vector<std::string> names;
   for (const EmbeddedFile& file : arm_files) names.emplace_back(file.stem());
-  throw std::invalid_argument(unknown_name("robot", name, names) + "; or name a file that ends in .urdf or .toml");
+  throw std::invalid_argument(unknown_name("robot", name, names) + "; or give a file that ends in .urdf or .toml");
 }
 
 bool is_arm_file(std::string_view name) { return name.ends_with(".toml") || is_urdf_file(name); }

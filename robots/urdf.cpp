@@ -173,7 +173,7 @@ class Tree {
     for (const XMLElement* joint = robot.FirstChildElement("joint"); joint != nullptr;
          joint = joint->NextSiblingElement("joint")) {
       const std::string name = place.name(*joint, "name"), child = end(*joint, "child"), parent = end(*joint, "parent");
-      if (!joints.insert(name).second) place.fail(*joint, "there are two of this name");
+      if (!joints.insert(name).second) place.fail(*joint, "there are two joints of this name");
       const auto [known, is_new] = before_.emplace(child, joint);
       if (!is_new)
         place.fail(*joint, fmt::format("its child, \"{}\", is also that of joint \"{}\"; expected a tree", child,
@@ -189,9 +189,10 @@ class Tree {
     for (const XMLElement* const joint : joints) {
       if (is_moved && floats(*joint)) {
         if (std::any_of(std::ranges::find(joints, joint), joints.end(), moves))
-          place_.fail(*joint, fmt::format("it is {}, and joints move before and behind it; for those behind it add "
-                                          "--base {}, or base = \"{}\" in [urdf]",
-                                          type_of(*joint), link, link));
+          place_.fail(*joint,
+                      fmt::format("it is {}, and joints move before and after it; to use only those after it, add "
+                                  "--base {}, or base = \"{}\" in [urdf]",
+                                  type_of(*joint), link, link));
         break;
       }
       is_moved = is_moved || moves(joint);
@@ -248,8 +249,8 @@ class Tree {
     if (links_.contains(name)) return;
     std::vector<std::string> names;
     for (const auto& [known, link] : links_) names.push_back(known);
-    place_.fail(1, fmt::format("{} is \"{}\", which is no link{}; robot FILE --links shows the tree", key, name,
-                               did_you_mean(name, names)));
+    place_.fail(1, fmt::format("{} is \"{}\", which is not a link{}; to see the links: ikbench robot FILE --links", key,
+                               name, did_you_mean(name, names)));
   }
 
   // Returns the joints from the base to the tip.
@@ -271,7 +272,8 @@ class Tree {
     const XMLElement* const element = joint.FirstChildElement(which);
     if (element == nullptr) place_.fail(joint, fmt::format("it has no <{}>", which));
     std::string link = place_.name(*element, "link");
-    if (!links_.contains(link)) place_.fail(*element, fmt::format("its {} is \"{}\", which is no link", which, link));
+    if (!links_.contains(link))
+      place_.fail(*element, fmt::format("its {} is \"{}\", which is not a link", which, link));
     return link;
   }
 
@@ -297,7 +299,8 @@ class Tree {
     std::vector<LinkQuestion::Answer> answers;
     for (const End& each : ends)
       if (each.joints > 0 && answers.size() < 20) answers.push_back({option, each.link, each.joints});
-    throw LinkQuestion(place_.at(1, fmt::format("{} (robot FILE --links shows the tree)", question)), answers);
+    throw LinkQuestion(place_.at(1, fmt::format("{} (to see the links: ikbench robot FILE --links)", question)),
+                       answers);
   }
 
   int most_behind(const std::string& link) const { return std::ranges::max(behind({link}), {}, &Seen::moving).moving; }
@@ -401,7 +404,7 @@ Motion motion_of(const XMLElement& joint, const Place& place) {
   if (type == "fixed") return Motion::none;
   if (type != "revolute" && type != "continuous" && type != "prismatic")
     place.fail(joint, fmt::format("its type is {}; expected revolute, continuous, prismatic or fixed", type));
-  if (mimics(joint)) place.fail(joint, "it mimics another; expected joints that move by themselves");
+  if (mimics(joint)) place.fail(joint, "it mimics another joint; expected joints that move by themselves");
   return type == "prismatic" ? Motion::slides : Motion::turns;
 }
 
@@ -443,8 +446,9 @@ Eigen::Vector2d limits_of(const XMLElement& joint, const Place& place, UrdfChoic
   constexpr double infinity = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
   if (type_of(joint) == "continuous") return {-infinity, infinity};
   const bool slides = type_of(joint) == "prismatic";
-  const std::string_view advice = slides ? "a slide needs its way in metres, such as <limit lower=\"0\" upper=\"0.5\"/>"
-                                         : "if it turns without end, its type is continuous";
+  const std::string_view advice =
+      slides ? "a prismatic joint needs limits in metres, such as <limit lower=\"0\" upper=\"0.5\"/>"
+             : "if it has no limits, its type is continuous";
   const XMLElement* const limit = joint.FirstChildElement("limit");
   if (limit == nullptr) place.fail(joint, fmt::format("it is {} and has no <limit>; {}", type_of(joint), advice));
   place.refuse_unknown(*limit, {"lower", "upper"}, true);
@@ -458,7 +462,7 @@ Eigen::Vector2d limits_of(const XMLElement& joint, const Place& place, UrdfChoic
   }
   const bool are_whole = limits == limits.array().round().matrix();  // as degrees are, beyond three turns
   if (!slides && are_whole && limits.cwiseAbs().maxCoeff() > 6 * half_turn)
-    place.fail(*limit, fmt::format("its limits are {:g} and {:g} rad, more than a turn; if these are degrees, write "
+    place.fail(*limit, fmt::format("its limits are {:g} and {:g} rad, more than one turn; if these are degrees, write "
                                    "{:.6g} and {:.6g}; {}",
                                    limits[0], limits[1], limits[0] * degree, limits[1] * degree, advice));
   const auto shown = [](double value) { return std::isnan(value) ? "none" : fmt::format("{:g}", value); };
@@ -557,9 +561,10 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
       ++wide;
   }
   if (lower.empty())
-    place.fail(1, fmt::format("no joint moves between links \"{}\" and \"{}\"; name others: --base LINK --tip LINK, "
-                              "after ikbench robot FILE --links",
-                              base, tip));
+    place.fail(1,
+               fmt::format("no joint moves between links \"{}\" and \"{}\"; choose others with --base LINK --tip LINK; "
+                           "to see the links: ikbench robot FILE --links",
+                           base, tip));
   try {
     Robot arm{.name = file.stem().string(),
               .summary = fmt::format("{} from {} to {}", name, base, tip),
@@ -571,7 +576,8 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
     arm.limits = {Configuration::Map(lower.data(), arm.joints()), Configuration::Map(upper.data(), arm.joints())};
     if (std::ranges::max(velocity) > 0) arm.velocity = Configuration::Map(velocity.data(), arm.joints());
     if (end.other != tip) arm.other_tip = end.other;
-    if (wide > 0) arm.notes.push_back(fmt::format("{} may turn by more than a turn each way", counted(wide, "joints")));
+    if (wide > 0)
+      arm.notes.push_back(fmt::format("{} may turn by more than one turn in each direction", counted(wide, "joints")));
     return arm;
   } catch (const std::invalid_argument& error) {
     place.fail(robot, error.what());

@@ -47,7 +47,8 @@ void expect_one_time_unit(const Sheet& sheet, const Columns& values) {
   for (const std::uint32_t row : sheet.rows())
     if (!sheet.cell(row, real_time).empty() && sheet.cell(row, time_unit) != first)
       sheet.refuse(row, time_unit,
-                   fmt::format("is not {} as above; --benchmark_time_unit=ns writes all in one", in_quotes(first)));
+                   fmt::format("is not {} as above; write all times in one unit with --benchmark_time_unit=ns",
+                               in_quotes(first)));
 }
 
 }  // namespace ikbench::csv

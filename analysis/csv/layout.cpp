@@ -15,9 +15,10 @@ namespace {
   std::string how;
   if (!known.indices.empty()) {
     const std::string title = in_quotes(sheet.titles()[known.indices.front()]);
-    how = fmt::format(", since {} numbers the rows; if these are values, name all in --value", title);
+    how = fmt::format(
+        ", because {} numbers the rows; if its numbers are values, name all columns of values with --value", title);
   }
-  sheet.refuse("--label columns compares columns of numbers, and there is only one" + how);
+  sheet.refuse("--label columns compares columns of numbers, but there is only one" + how);
 }
 
 void refuse_blocks_of_one_row(const Sheet& sheet, const Request& request, const Known& known) {
@@ -27,7 +28,7 @@ void refuse_blocks_of_one_row(const Sheet& sheet, const Request& request, const 
   const auto is_block = [&](std::size_t column) { return sheet.titles()[column] == block; };
   if (is_number || std::ranges::any_of(known.indices, is_block))
     sheet.refuse(
-        "a block of one row has one label alone; say --run row, or --label columns if each column of numbers is one label");
+        "a block of one row has only one label; use --run row, or --label columns if each column of numbers is one label");
 }
 
 void refuse_repeated(const Sheet& sheet, const std::vector<std::string>& titles) {

@@ -54,9 +54,9 @@ class Asking {
   }
 
   MissingOption question(std::string_view what) const {
-    const std::string counted_in = is_long_ ? fmt::format(", counted in the first {},", few_rows) : "";
+    const std::string counted_in = is_long_ ? fmt::format(" (the first {} are described)", few_rows) : "";
     MissingOption asked(sheet_.said(
-        fmt::format("{} It has {}{} of", what, base::counted(std::ssize(sheet_.rows()), "rows"), counted_in)));
+        fmt::format("{} It has {}{} with", what, base::counted(std::ssize(sheet_.rows()), "rows"), counted_in)));
     asked.columns = described();
     return asked;
   }
@@ -134,7 +134,7 @@ class Asking {
   static std::string kind_of(const Facts& facts) {
     if (facts.is_index) return "index";
     if (!facts.has_numbers) return "text";
-    return facts.are_whole ? "whole" : "number";
+    return facts.are_whole ? "whole number" : "number";
   }
 
   // Returns the columns as a table. If there are many columns, those that may be labels or values come first.
@@ -351,13 +351,14 @@ class Asking {
 std::string advice_of(const MissingOption& asked, const Request& request, bool is_of_rows) {
   const auto has_option = [&](std::string_view option) { return std::ranges::count(asked.options, option) > 0; };
   std::string advice;
-  if (!is_of_rows) advice += "--label: who is compared, or `columns` if each column of numbers is one. ";
+  if (!is_of_rows)
+    advice += "--label: column with the names of what is compared, or `columns` if each column of numbers is one. ";
   if (has_option("BLOCK")) advice += "One of --block and --run is enough. ";
   advice +=
-      "--block: what each of them did, such as a problem. --run: repeats, which count by their mean; `--run row`: each "
-      "row is one. If rows are of several quantities: --where COLUMN=VALUE.";
+      "--block: column of the problem that all of them had. --run: column of repeats, which are averaged; `--run row`: "
+      "each row is one repeat. If the rows are of several quantities, choose one: --where COLUMN=VALUE.";
   if (request.better.empty()) advice += " If larger is better: --better larger.";
-  return is_of_rows ? advice : advice + " Printed means: --summaries.";
+  return is_of_rows ? advice : advice + " If the table has published means: --summaries.";
 }
 
 }  // namespace
@@ -390,9 +391,9 @@ void ask_for_columns(const Sheet& sheet, const Request& request, const Known& kn
   const Asking asking(sheet, request, known);
   std::vector<std::string> means;
   for (const std::size_t column : asking.means()) means.push_back(in_quotes(sheet.titles()[column]));
-  std::string what = "which columns are what?";
+  std::string what = "which columns have the labels and the values?";
   if (!means.empty())
-    what += fmt::format(" Beside their spreads stand means, {}, to be compared as values.", base::names_of(means));
+    what += fmt::format(" Columns of means stand beside their spreads; compare the means {}.", base::names_of(means));
   MissingOption asked = asking.question(what);
   asking.answer_columns(asked);
   asked.advice = advice_of(asked, request, false);
@@ -401,7 +402,7 @@ void ask_for_columns(const Sheet& sheet, const Request& request, const Known& kn
 
 void ask_for_rows(const Sheet& sheet, const Request& request, const Known& known) {
   const Asking asking(sheet, request, known);
-  MissingOption asked = asking.question("what is a row?");
+  MissingOption asked = asking.question("what does one row stand for?");
   asking.answer_rows(asked);
   asked.advice = advice_of(asked, request, true);
   throw asked;

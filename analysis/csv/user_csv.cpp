@@ -58,9 +58,11 @@ void add_means(const Sheet& sheet, const Layout& layout, const Request& request,
     if (items.means.empty() || items.means.back().group != item.group || items.means.back().unit != item.unit)
       items.means.push_back({.group = item.group, .unit = item.unit, .first = item.row});
     else if (layout.block && request.run.empty())
-      sheet.refuse(item.row, *layout.block,
-                   fmt::format("is a second row of {}; --run says which are its runs (--run row: each row is one)",
-                               in_quotes(items.groups[item.group])));
+      sheet.refuse(
+          item.row, *layout.block,
+          fmt::format(
+              "is a second row of {}; name the column of repeats with --run (--run row: each row is one repeat)",
+              in_quotes(items.groups[item.group])));
     Mean& mean = items.means.back();
     if (std::isnan(item.value)) {
       ++mean.missing;
@@ -70,9 +72,11 @@ void add_means(const Sheet& sheet, const Layout& layout, const Request& request,
     }
     for (const std::size_t column : texts)  // a column of texts may name quantities, whose mean has no meaning
       if (const auto first = sheet.cell(items.means.back().first, column); first != sheet.cell(item.row, column))
-        sheet.refuse(item.row, column,
-                     fmt::format("is not {}, as in the same mean; name it in --label, --block, --run or --where",
-                                 in_quotes(first)));
+        sheet.refuse(
+            item.row, column,
+            fmt::format(
+                "is not {}, as in other rows of the same mean; name its column with --label, --block, --run or --where",
+                in_quotes(first)));
   }
 }
 
@@ -84,14 +88,18 @@ void expect_repeats(const Sheet& sheet, const Layout& layout, const Items& items
       items.groups.size() == items.values.size() && items.values.size() > 2;  // two rows may be a sketch
   if (is_each_row) sheet.refuse_units(*layout.label);
   if (is_each_row && are_summaries(sheet)) {
-    MissingOption asked(sheet.said(fmt::format("{} names each row, as in a table of printed means", title)));
+    MissingOption asked(
+        sheet.said(fmt::format("{} has another name in each row, as in a table of published means", title)));
     answer_by_summaries(
         sheet, asked,
         request.better.empty() ? std::vector<std::string>{"--better", "smaller"} : std::vector<std::string>());
     throw asked;
   }
-  if (is_each_row || items.unlabelled > items.values.size())
-    sheet.refuse(fmt::format("{} names each row, or none in {} of {} rows; did you mean --block, or are cells merged?",
+  if (is_each_row)
+    sheet.refuse(
+        fmt::format("{} has another name in each row, so no group has two values; did you mean --block?", title));
+  if (items.unlabelled > items.values.size())
+    sheet.refuse(fmt::format("{} has no name in {} of {} rows; if its cells are merged, write the name into each row",
                              title, items.unlabelled, sheet.rows().size()));
 }
 
@@ -110,11 +118,11 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
       items.unlabelled += name.empty();
       if (name.empty()) continue;
       if (unit && sheet.cell(row, *unit).empty())
-        sheet.refuse(row, *unit, "is no name; write merged cells in each of their rows");
+        sheet.refuse(row, *unit, "is not a name; if cells are merged, write the name into each row");
       const Index group = groups.try_emplace(name, static_cast<Index>(groups.size())).first->second;
       if (group == items.groups.size()) items.groups.emplace_back(name);
       if (group == most_groups)
-        sheet.refuse(fmt::format("more than {} groups in --label; did you mean --block?", most_groups));
+        sheet.refuse(fmt::format("--label makes more than {} groups; did you mean --block?", most_groups));
       const auto next = static_cast<Index>(unit ? units.size() : items.values.size());
       items.values.push_back({.group = group,
                               .unit = unit ? units.try_emplace(sheet.cell(row, *unit), next).first->second : next,
@@ -139,7 +147,7 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
                              bool are_others_said) {
   MissingOption question(sheet.said(
       fmt::format("is smaller or larger better in {}? Say --better smaller or --better larger{}", in_quotes(title),
-                  is_one_of_several ? fmt::format("; of this column alone --better {}=larger", title) : "")));
+                  is_one_of_several ? fmt::format("; for this column only: --better {}=larger", title) : "")));
   for (const char* way : {"smaller", "larger"})
     question.answers.push_back({"--better", are_others_said ? fmt::format("{}={}", title, way) : way});
   throw question;
@@ -226,8 +234,8 @@ void ask_about(const Gaps& gaps, const Sheet& sheet, const Items& items, const R
     if (gaps.missing[i] > 0) who.push_back(fmt::format("{} {}", items.groups[i], gaps.missing[i]));
   }
   const std::string drop = "--missing drop leaves them out", worst = "--missing worst counts them as no answer";
-  MissingOption question(sheet.said(fmt::format("{} of {} rows have no value ({}). What do they count as? {}", missing,
-                                                rows, base::front(base::listed(who, ", "), 300),
+  MissingOption question(sheet.said(fmt::format("{} of {} rows have no value ({}). What should they count as? {}",
+                                                missing, rows, base::front(base::listed(who, ", "), 300),
                                                 request.are_means ? drop : drop + "; " + worst)));
   question.answers = {{"--missing", "drop"}};
   if (!request.are_means) question.answers.push_back({"--missing", "worst"});
@@ -364,7 +372,7 @@ std::string how_read(const Sheet& sheet, const Layout& layout, const Items& item
     most = std::max(most, mean.rows);
   }
   if (most > 1) text += fmt::format(", means of {}{} rows", fewest < most ? fmt::format("{} to ", fewest) : "", most);
-  if (!layout.block && !layout.run) text += ", rows unrelated";
+  if (!layout.block && !layout.run) text += ", rows are independent";
   std::vector<std::string> unused;
   for (const std::size_t column : layout.unused) unused.push_back(in_quotes(sheet.titles()[column]));
   for (const std::string& condition : where) text += fmt::format("; only rows with {}", in_quotes(condition));
@@ -388,7 +396,8 @@ void note_blocks(const Sheet& sheet, const Layout& layout, const Items& items, s
 
 Quantities values_in(Sheet& sheet, const Request& request) {
   if (sheet.column_like({"stop_reason"}) && sheet.column_like({"series"}))
-    sheet.refuse("solves of a study, which a CSV does not say all of; `ikbench report` judges its store");
+    sheet.refuse(
+        "these are the solves of a study; its store has more than a CSV can hold, so compare there: ikbench report STORE");
   const std::vector<std::string> aggregates = leave_out_aggregates(sheet, request);
   const Layout layout = layout_of(sheet, request);
   expect_one_time_unit(sheet, layout.values);
@@ -407,8 +416,8 @@ Quantities values_in(Sheet& sheet, const Request& request) {
     }
     if (i == 0) quantities.notes.push_back(how_read(sheet, layout, items, request.where));
     if (i == 0 && !aggregates.empty())
-      quantities.notes.push_back(
-          fmt::format("Left out are rows that sum up others: {}.", base::front(base::names_of(aggregates), 300)));
+      quantities.notes.push_back(fmt::format("Rows that summarise other rows are left out: {}.",
+                                             base::front(base::names_of(aggregates), 300)));
     if (i == 0 && layout.block && min_p_paired(items.units) > AnalysisPlan().significance)
       note_blocks(sheet, layout, items, quantities.notes);
     settle(items, samples, quantities.notes);
@@ -416,7 +425,7 @@ Quantities values_in(Sheet& sheet, const Request& request) {
     for (const Value& item : items.values)
       if (std::isinf(item.value) && (item.value < 0 || samples.better == Better::larger))
         sheet.refuse(item.row, item.column,
-                     "has no meaning: inf stands for no answer, where smaller is better; otherwise write NA");
+                     "has no meaning here: inf stands for no answer where smaller is better; otherwise write NA");
     const Gaps gaps = gaps_of(layout, items);
     ask_about(gaps, sheet, items, request);
     fill(layout, items, gaps, request, samples);
@@ -430,13 +439,13 @@ Quantities values_in(Sheet& sheet, const Request& request) {
 SummaryColumns expected_columns(const Sheet& sheet, const Request& request) {
   const SummaryColumns columns = summary_columns_of(sheet);
   for (const auto& [name, found] : {std::pair("mean", columns.mean), {"sd", columns.sd}})
-    if (!found) sheet.refuse(fmt::format("no column {}; expected name, n, mean and sd", name));
+    if (!found) sheet.refuse(fmt::format("there is no column {}; expected the columns name, n, mean and sd", name));
   if (columns.n && request.n > 0)
-    sheet.refuse(fmt::format("column {} says how many values a mean has, and --n does, too; leave --n out",
+    sheet.refuse(fmt::format("column {} already gives the number of values of each mean; leave --n out",
                              in_quotes(sheet.titles()[*columns.n])));
   if (columns.n || request.n > 0) return columns;
-  MissingOption question(
-      sheet.said("no column n: of how many values is each mean? --n 10 says 10 for all; else add a column n"));
+  MissingOption question(sheet.said(
+      "there is no column n: how many values has each mean? If all have 10: --n 10; otherwise add a column n"));
   question.options = {"--n", "N"};
   throw question;
 }
@@ -471,14 +480,17 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
     std::vector<Group>& groups = samples.groups;
     const std::string name(sheet.cell(row, label));
     if (name.empty() || std::ranges::count(groups, name, &Group::name) > 0)
-      sheet.refuse(row, label, "is no name of another group; --where takes rows of one problem");
+      sheet.refuse(
+          row, label,
+          "is empty, or the name of an earlier row; if the rows are of several problems, choose one with --where");
     const auto number = [&](std::size_t at, double least) {
       const double value = sheet.number(row, at);
-      if (!(value >= least && std::isfinite(value))) sheet.refuse(row, at, "is not known or too small");
+      if (!(value >= least && std::isfinite(value))) sheet.refuse(row, at, "is missing or too small");
       return value;
     };
     const double size = columns.n ? number(*columns.n, 2) : request.n;
-    if (size != std::floor(size) || size > 1e9) sheet.refuse(row, *columns.n, "is no number of values");
+    if (size != std::floor(size) || size > 1e9)
+      sheet.refuse(row, *columns.n, "is not a number of values; expected one such as 20");
     const SummaryStatistics summary{.n = static_cast<int>(size),
                                     .mean = number(*columns.mean, std::numeric_limits<double>::lowest()),
                                     .sd = number(*columns.sd, 0)};
@@ -504,12 +516,12 @@ struct MarginText {
 const char* margin_error(const MarginText& margin, const MetricSamples& samples, double largest) {
   const std::optional<double>& number = margin.number;
   if (!number || !(*number >= 0) || !std::isfinite(*number)) return "expected 5%, or 0.1 in the unit of the values";
-  if (margin.is_relative && *number > 99) return "so all would be the same; expected at most 99%";
+  if (margin.is_relative && *number > 99) return "everything would be the same; expected at most 99%";
   if (margin.is_relative && margin.has_no_share)
-    return "a share of values that may be negative means nothing; give a margin in their unit";
+    return "values may be negative, so a percentage has no meaning; expected a margin in their unit, such as 0.1";
   if (margin.is_relative) return nullptr;
-  if (is_proportion(samples)) return "shares differ by points; expected 5%";
-  return *number > largest ? "no value is as large, so all would be the same; a share is 5%" : nullptr;
+  if (is_proportion(samples)) return "shares differ by percentage points; expected 5%";
+  return *number > largest ? "no value is that large, so everything would be the same; a percentage is 5%" : nullptr;
 }
 
 }  // namespace

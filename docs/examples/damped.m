@@ -44,5 +44,5 @@ while ischar(line = input("", "s"))  % fgetl waits for the line after
   told = jsondecode(line);
   if strcmp(told.message, "robot"), arm = told; continue; end
   if strcmp(arm.goal, "position") && all(strcmp({arm.joints.type}, "revolute")), solve(arm, told);
-  else, say(struct("message", "declined", "why", "positions of joints that turn, alone")); end
+  else, say(struct("message", "declined", "why", "only positions of revolute joints are supported")); end
 end

@@ -38,7 +38,7 @@ std::unique_ptr<ChildProcess> restarted(const Program& program) {
     Hello hello;
     return launch(program.choice, program.folder, hello);
   } catch (const std::invalid_argument& error) {  // the program started before, so this is no result of the program
-    throw std::runtime_error(fmt::format("{}; run the study again, and it goes on", error.what()));
+    throw std::runtime_error(fmt::format("{}; run the same command again to continue", error.what()));
   }
 }
 
@@ -176,7 +176,7 @@ void ExternalSolver::count_failure() {
   if (counts) {
     ++worker_.failures_in_a_row;
     if (worker_.failures_in_a_row == max_failures_in_a_row) {
-      failure_->why += "; it is given up after three failures in a row";
+      failure_->why += "; after three failures in a row it is not asked again";
       worker_.given_up = failure_;
     }
   }

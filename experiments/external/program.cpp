@@ -57,12 +57,12 @@ std::string file_digest(const fs::path& file) { return digest_of_text(base::text
 
 void list_fields(base::Fields& io, ProgramSpec& choice) {
   io.texts("process", choice.process, "a program and its arguments, in the folder of the study");
-  io.texts("files", choice.files, "what the program consists of besides; an edited file solves anew");
+  io.texts("files", choice.files, "further files of the program; if one is edited, its solves are repeated");
   io.whole("memory_mb", choice.memory_mb, {0, 1'000'000},
            "address space that each process of the program may take, on Linux; 0: no limit");
   io.number("patience_s", choice.timeout, 1, {0, 86400},
             "wall time after which a solve is given up; 0: 20 times stop.seconds, at least 5 s; without that 60 s");
-  io.whole("batch", choice.batch, {0, 1000}, "most problems that it gets in one message; 0: one by one");
+  io.whole("batch", choice.batch, {0, 1000}, "largest number of problems in one message; 0: one by one");
 }
 
 Clock::time_point deadline_in(double seconds) {
@@ -75,7 +75,7 @@ Message read_message(ChildProcess& child, Clock::time_point deadline) {
     for (;;) {
       std::string line = child.read_line(deadline);
       if (line.starts_with('{')) return Message(std::move(line));
-      noise = fmt::format("; it wrote what is no message: {}", base::one_line(base::front(line, 200)));
+      noise = fmt::format("; it wrote a line that is not a message: {}", base::one_line(base::front(line, 200)));
     }
   } catch (const ProcessFailure& failure) {
     throw ProcessFailure{failure.kind, failure.why + noise};
@@ -109,7 +109,7 @@ std::unique_ptr<ChildProcess> launch(const ProgramSpec& choice, const fs::path& 
     const std::string end = child->end_after(failure.kind);
     if (failure.kind != ProcessFailure::Kind::timed_out) throw ProcessFailure{failure.kind, failure.why + end};
     throw ProcessFailure{failure.kind,
-                         fmt::format("it says no hello within {:g} s ({}); a larger patience_s waits longer{}", timeout,
+                         fmt::format("it sent no hello within {:g} s ({}); to wait longer, raise patience_s{}", timeout,
                                      failure.why, end)};
   }
   return child;

@@ -84,7 +84,7 @@ Message::Message(std::string line) : line_(std::move(line)), json_(std::make_sha
 Message::Message(const Json& object) : json_(std::make_shared<Json>(object)) { read_name(); }
 
 void Message::read_name() {
-  if (!json_->is_object()) fail("JSON, in which a number that is not finite is null");
+  if (!json_->is_object()) fail("a JSON object, with null for numbers that are not finite");
   name_ = text(*json_, "message");
   if (name_.empty()) fail("a \"message\"");
 }
@@ -109,7 +109,7 @@ OptionSpec Message::option(const Json& object) const {
   OptionSpec option{.name = text(object, "name"), .meaning = text(object, "meaning"), .choices = {}};
   for (const char* key : {"", "solver", "label", "process", "files", "memory_mb", "patience_s", "batch", "population",
                           "options", "colour", "if_missing"}) {
-    if (option.name == key) fail("options whose \"name\" is no key of [[solvers]]");
+    if (option.name == key) fail("options whose \"name\" is not a key of [[solvers]]");
   }
   if (const auto choices = object.find("choices"); choices != object.end()) {
     for (const Json& choice : *choices) {
@@ -161,7 +161,7 @@ Hello Message::hello() const {
 std::string Message::decline_reason() const {
   const auto why = json_->find("why");  // a long reason is no mistake
   if (why == json_->end() || !why->is_string() || why->get_ref<const std::string&>().empty())
-    return "it does not say why";
+    return "it gives no reason";
   return std::string(front(base::one_line(why->get<std::string>()), 200));
 }
 

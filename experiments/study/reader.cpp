@@ -79,7 +79,7 @@ Path read_path(PathReader reader) {
   for (const Path& kind : kinds) names.push_back(kind->name());
   std::size_t chosen = 0;
   if (!reader.table().contains("kind"))
-    throw reader.mistake("kind", fmt::format("path.kind is missing, what the targets are; expected one of \"{}\"",
+    throw reader.mistake("kind", fmt::format("path.kind is missing; expected the kind of the targets, one of \"{}\"",
                                              fmt::join(names, "\", \"")));
   reader.choice("kind", chosen, names);
   Path path = kinds[chosen];
@@ -130,7 +130,7 @@ void check_stop(const TomlReader& stop, const Study& study) {
   if (study.stop.iterations == 0)
     throw stop.mistake("iterations",
                        "stop.iterations is 0, so nothing would be solved; expected at least 1, or "
-                       "1000000000 where only another limit shall count");
+                       "1000000000 if only another limit shall count");
   if (study.has_direction() && (position > 0) != (angle > 0)) {
     throw stop.mistake(position > 0 ? "tolerance_cm" : "tolerance_deg",
                        fmt::format("stop.tolerance_cm is {:g} and stop.tolerance_deg is {:g}; search = \"pose\" or "
@@ -138,10 +138,10 @@ void check_stop(const TomlReader& stop, const Study& study) {
                                    position, angle));
   }
   if (study.stop.adds_squares && (position == 0 || angle == 0))
-    throw stop.mistake("tolerances", "tolerances is \"squares\", of both errors; expected both tolerances");
+    throw stop.mistake("tolerances", "tolerances is \"squares\", which needs both errors; expected both tolerances");
   if (!study.has_direction() && angle > 0) {
     throw stop.mistake("tolerance_deg",
-                       "stop.tolerance_deg is about the orientation, which is not searched; expected search = \"pose\" "
+                       "stop.tolerance_deg is for the orientation, which is not searched; expected search = \"pose\" "
                        "or \"axis\", or no stop.tolerance_deg");
   }
 }
@@ -150,7 +150,8 @@ void check_stop(const TomlReader& stop, const Study& study) {
 void read_check(TomlReader reader, Study& study) {
   list_fields(reader, study.check);
   study.checker = read_program(reader, false);
-  if (study.checker->choice.batch > 0) throw reader.mistake("batch", "[check] is asked of one answer a message");
+  if (study.checker->choice.batch > 0)
+    throw reader.mistake("batch", "[check] gets one answer per message; expected no batch");
   const std::vector<std::string> numbers = study.check.numbers();
   for (const std::string& name : numbers) {
     const bool is_reserved = name.starts_with(check_extra) || name.starts_with(invalid_extra);
@@ -190,13 +191,13 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
             "with targets that the arm can reach, or another start");
   refuse_if(
       study.loop.period > 0 && (!study.is_chained() || study.path->is_random()), "loop",
-      "loop.period_ms is about a path that the arm follows; expected start = \"previous\" and targets that are not "
+      "loop.period_ms is only for a path that the arm follows; expected start = \"previous\" and targets that are not "
       "drawn, or no [loop]");
   refuse_if(
       study.state == results::CacheState::warm && study.is_chained(), "state",
       "state is \"hot\", but start = \"previous\", so that a solver makes a run in a row; expected another start");
   refuse_if(study.checker && !study.has_tolerance(), "check",
-            "[check] is asked of answers that reach their target; expected stop.tolerance_cm");
+            "[check] checks answers that reach their target; expected stop.tolerance_cm");
   constexpr double max_solves = 1e8;
   refuse_if(static_cast<double>(study.solvers.size()) * study.runs * study.path->points() > max_solves, "runs",
             "solvers, runs and points make more than 100 000 000 solves; expected fewer");
@@ -228,7 +229,7 @@ void drop_lost_control(Study& study) {
   std::string& control = study.plan.control;
   const std::vector<std::string> labels = labels_of(study);
   if (control.empty() || std::ranges::find(labels, control) != labels.end()) return;
-  study.notes.push_back(fmt::format("the control, {}, is swept or left out: every pair is compared", control));
+  study.notes.push_back(fmt::format("the control, {}, is swept or left out, so every pair is compared", control));
   control.clear();
 }
 
@@ -264,13 +265,13 @@ void read_general_keys(TomlReader& reader, Study& study) {
 // Reads [urdf], which only a study with a URDF file may have.
 void read_urdf(TomlReader& reader, Study& study) {
   if (reader.find("urdf") != nullptr && !is_urdf_file(study.robot))
-    throw reader.mistake("urdf", fmt::format("[urdf] is about a URDF file, but robot is \"{}\"; expected one such as "
+    throw reader.mistake("urdf", fmt::format("[urdf] is only for URDF files, but robot is \"{}\"; expected one such as "
                                              "\"my_arm.urdf\"",
                                              study.robot));
   TomlReader urdf = reader.part("urdf");
   if (urdf.find("snap_deg") != nullptr)
     throw urdf.mistake("snap_deg",
-                       "no angle of a URDF file is snapped any more: the arm is judged as the file prints "
+                       "angles of a URDF file are no longer snapped: the arm is taken as the file has "
                        "it; expected no snap_deg");
   read_part(urdf, study.urdf);
 }
@@ -364,13 +365,13 @@ std::string no_study(const std::filesystem::path& file) {
     return fmt::format("{} is a folder; expected a TOML file, or a name of: ikbench list studies", file.string());
   if (std::filesystem::exists(file, error)) return fmt::format("{} is not a regular file", file.string());
   if (const std::string beside = file.string() + ".toml"; std::filesystem::is_regular_file(beside, error))
-    return fmt::format("no such file: {0}; did you mean {0}.toml?", file.string());
+    return fmt::format("there is no file {0}; did you mean {0}.toml?", file.string());
   if (file.extension() == ".toml" || file.has_parent_path())
-    return fmt::format("no such file: {}; expected a TOML file, or a name of: ikbench list studies", file.string());
+    return fmt::format("there is no file {}; expected a TOML file, or a name of: ikbench list studies", file.string());
   std::vector<std::string> names;
   for (const EmbeddedFile& embedded : study_files) names.emplace_back(embedded.stem());
   std::ranges::sort(names);
-  return "no such file, and " + unknown_name("built-in study", file.string(), names);
+  return "there is no such file, and " + unknown_name("built-in study", file.string(), names);
 }
 
 }  // namespace
@@ -448,7 +449,8 @@ Study parse_study(std::string_view toml_text, std::string_view source, const Ove
   const bool is_of_protocol = !has_path && !table["path"]["kind"];
   if (is_of_protocol) add_protocol(table);
   Study study = read_study(table, source);
-  if (is_of_protocol) study.notes.emplace_back("targets: reachable poses from random starts, since no [path] is given");
+  if (is_of_protocol)
+    study.notes.emplace_back("targets: reachable poses from random starts, because there is no [path]");
   return study;
 }
 

@@ -158,9 +158,9 @@ void check_program(const TomlReader& at_entry, const SolverEntry& entry, const S
         "process", fmt::format("{} solves for {}; expected another search", hello.name, fmt::join(hello.goals, ", ")));
   if (entry.program->choice.batch == 0) return;
   if (!hello.takes_batches)
-    throw at_entry.mistake("batch", entry.solver + " takes none: its hello does not say \"batch\": true");
+    throw at_entry.mistake("batch", entry.solver + " takes no batches: its hello does not have \"batch\": true");
   if (study.is_chained())
-    throw at_entry.mistake("batch", "each solve starts where the one before ended; expected another start");
+    throw at_entry.mistake("batch", "each solve starts at the previous answer; expected another start");
 }
 
 // Checks an entry against the study. `at_entry` names the label before its keys.

@@ -140,8 +140,8 @@ Shard parse_shard(std::string_view text) {
   Shard shard;
   std::sscanf(std::string(text).c_str(), "%6d/%6d", &shard.index, &shard.count);
   if (shard.text() == text && shard.index >= 1 && shard.index <= shard.count && shard.count <= max_shards) return shard;
-  throw std::invalid_argument(
-      fmt::format("'{}' is no shard; expected I/N with 1 <= I <= N <= {}, as 3/12", text.substr(0, 100), max_shards));
+  throw std::invalid_argument(fmt::format("'{}' is not a shard; expected I/N with 1 <= I <= N <= {}, such as 3/12",
+                                          text.substr(0, 100), max_shards));
 }
 
 std::string Shard::text() const { return fmt::format("{}/{}", index, count); }

@@ -13,9 +13,8 @@ inline void list_fields(Fields& io, Path& path) { path->list_fields(io); }
 // The key of a series has the chain and the limits that follow from these fields, so they are `in_text`.
 inline void list_fields(Fields& io, robots::UrdfChoice& urdf) {
   io.text("base", urdf.base,
-          {"link from which the arm is read; \"\": the root, behind joints that float", InKey::in_text});
-  io.text("tip", urdf.tip,
-          {"link to which it is read, the tool; \"\": the end behind the most joints", InKey::in_text});
+          {"link where the arm begins; \"\": the root, or the link after floating joints", InKey::in_text});
+  io.text("tip", urdf.tip, {"link where the arm ends, the tool; \"\": the end after the most joints", InKey::in_text});
   io.choice("limits", urdf.limits, {"hard", "soft"},
             {"hard: the joints' <limit>; soft: the tighter of it and <safety_controller>", InKey::in_text});
 }
@@ -24,7 +23,7 @@ inline void list_fields(Fields& io, Study& study) {
   list_fields(io, static_cast<results::StudySpec&>(study));
   io.numbers(
       "initial_deg", study.initial, 1, 0,
-      {"configuration before the first point of a run: degrees, and metres for a joint that slides; []: zeros, or the "
+      {"configuration before the first point of a run: degrees, and metres for prismatic joints; []: zeros, or the "
        "nearest inside the limits",
        InKey::in_text});
   io.choice("trace", study.trace, {"none", "best_error"},

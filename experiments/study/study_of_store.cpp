@@ -34,13 +34,14 @@ Robot arm_in(const StoredStudy& stored, const robots::UrdfChoice& urdf) {
     Robot arm = robots::load_robot(name, urdf);
     if (is_same(arm)) return arm;
     throw std::invalid_argument(fmt::format(
-        "{0} in this folder is another arm than {0} of the store; expected --robot {0} to take it, or another folder",
+        "{0} in this folder is another arm than {0} in the store; to use this one, add --robot {0}; otherwise run in "
+        "another folder",
         name));
   }
   for (Robot& arm : robots::all_robots())
     if (arm.name == name && is_same(arm)) return arm;
   std::optional<Robot> arm = robots::stored_arm(stored.definition.arm);
-  if (!arm) throw std::invalid_argument("its arm cannot be read; it was changed since it was stored");
+  if (!arm) throw std::invalid_argument("its arm cannot be read, so it was changed since it was stored");
   arm->name = std::filesystem::path(name).stem().string();
   arm->summary = fmt::format("{} as the store has it, since this folder has no such file", name);
   arm->base_link = stored.definition.base_link;
@@ -161,7 +162,7 @@ Study load_study(const Store& store, const StoredStudy& stored, const Overrides&
   for (const std::string& text : overrides) apply_override(table, text);
   const bool has_own_robot = bool(table.get("robot")) && table.get("robot")->source().path;
   if (!has_own_robot && table["urdf"].is_table() && *table["urdf"].as_table() != urdf)
-    throw std::invalid_argument("another base, tip or limits need the file of the arm; expected --robot, too");
+    throw std::invalid_argument("another base, tip or limits need the file of the arm; add --robot FILE");
   const std::string source = fmt::format("study {}", stored.name);
   Study read = read_study(table, source, [&](const robots::UrdfChoice& choice) {
     try {

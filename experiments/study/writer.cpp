@@ -218,10 +218,9 @@ std::string lines_of_entry(const SolverEntry& entry) {
   if (entry.population > 0)
     text += line("population", fmt::format("{}", entry.population), "overrides the population of the study");
   if (!entry.colour.empty())
-    text += line("colour", toml_string(entry.colour), "of the solver in every figure: \"#RRGGBB\"");
+    text += line("colour", toml_string(entry.colour), "colour of the solver in every figure: \"#RRGGBB\"");
   if (entry.if_missing == IfMissing::skip)
-    text +=
-        line("if_missing", "'leave_out'", "where it was not built the study goes on without it; refuse: it does not");
+    text += line("if_missing", "'leave_out'", "what to do if the solver was not built: continue without it, or refuse");
   std::vector<std::string> options;
   for (const auto& [name, setting] : entry.options) {
     const std::string value = text_of(setting);

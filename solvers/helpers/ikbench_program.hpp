@@ -64,7 +64,7 @@ struct Json {
 
  private:
   static void expect(bool is_right) {
-    if (!is_right) throw std::runtime_error("a line that is no JSON");
+    if (!is_right) throw std::runtime_error("a line that is not JSON");
   }
   // Goes on to the next letter that is no space, and past it if it is `letter`.
   static bool take(const char*& at, char letter) {

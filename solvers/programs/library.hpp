@@ -10,7 +10,7 @@ using ikbench::Values;
 inline void require(const ikbench::Robot& robot, bool is_turning = false) {
   for (const ikbench::Json& joint : robot.message["joints"].list) {
     if (joint["type"].text == "coupled") throw ikbench::Declined{"coupled joints"};
-    if (is_turning && joint["type"].text != "revolute") throw ikbench::Declined{"joints that turn, alone"};
+    if (is_turning && joint["type"].text != "revolute") throw ikbench::Declined{"only revolute joints are supported"};
   }
 }
 

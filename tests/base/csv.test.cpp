@@ -33,7 +33,7 @@ TEST_CASE("malformed CSV is refused with the line and what was expected", "[csv]
   CHECK(complaint_about("") == "data.csv:1: the file is empty; expected a line with the names of the columns");
   CHECK(complaint_about("a,b\n1,2\n3\n") == "data.csv:3: 1 cell; expected 2 as in the header");
   CHECK(complaint_about("a,b\n1,2,3\n") ==
-        "data.csv:2: 3 cells; expected 2 as in the header; write a title also above names of rows");
+        "data.csv:2: 3 cells; expected 2 as in the header; write a title above the names of rows, too");
   CHECK(complaint_about("a,b\n\"1\n\n2\",2\n3\n") == "data.csv:5: 1 cell; expected 2 as in the header");
   CHECK(complaint_about("a,b\n1,\"2\n\n\n") == "data.csv:2: a quote is never closed; expected a closing quote");
   CHECK(complaint_about("a,b\n1,2\"3\n") ==
@@ -41,7 +41,8 @@ TEST_CASE("malformed CSV is refused with the line and what was expected", "[csv]
   CHECK(complaint_about("a,b\n\"1\"2,3\n") ==
         "data.csv:2: text after a closing quote; expected a separator or the end of the line");
   CHECK(complaint_about("a,b\r1,2\r") == "data.csv:1: a lone carriage return; expected lines to end in LF or CRLF");
-  CHECK(complaint_about(std::string(max_csv_columns, ',')) == "data.csv:1: too many columns; expected at most 10000");
+  CHECK(complaint_about(std::string(max_csv_columns, ',')) ==
+        "data.csv:1: there are too many columns; expected at most 10000");
 }
 
 TEST_CASE("any text round-trips through CSV", "[csv][property]") {
@@ -105,8 +106,9 @@ TEST_CASE("a column is found by its name, and a wrong name is told the right one
   const CsvTable table = parse_csv("run,error,error\n1,2,3\n", "data.csv");
   CHECK(table.column("run") == 0);
   CHECK(complaint<std::invalid_argument>([&] { table.column("seconds"); }) ==
-        "no column 'seconds'; expected one of: run, error, error");
-  CHECK(complaint<std::invalid_argument>([&] { table.column("error"); }) == "two columns 'error'; expected one");
+        "there is no column 'seconds'; expected one of: run, error, error");
+  CHECK(complaint<std::invalid_argument>([&] { table.column("error"); }) ==
+        "there are two columns 'error'; expected one");
 }
 
 TEST_CASE("a cell is a number or is refused with its row, column and text", "[csv]") {

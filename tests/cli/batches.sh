@@ -16,7 +16,7 @@ succeeds run both.toml --set turns=6 --figures none --out both --json
 for label in batch large one; do
   equal "answers of $label" "$(column both/store.sqlite position_error_cm $label)" "$(column both/store.sqlite position_error_cm single)"
 done
-json '{row["metric"] for row in of["findings"] if {row["first"], row["second"]} == {"single", "batch"} and row["p"] is not None} >= {"error"}'
+json '{row["metric"] for row in of["findings"] if {row["first"], row["second"]} == {"single", "batch"} and row["p"] is not None} >= {"position error"}'
 json 'all(row["p"] is None for row in of["findings"] if row["metric"] == "time" and {row["first"], row["second"]} & {"batch", "large", "one"})'
 json '{row["n"] for row in of["groups"] if row["metric"] == "time" and row["solver"] in ("batch", "large", "one")} <= {0}'
 json 'any("a debug build" in doubt or "batch" in doubt and "in batches" in doubt for doubt in of["doubts"])'
@@ -77,7 +77,7 @@ batches helper '[[solvers]]' 'label = "one"' 'process = ["python3", "many.py"]' 
 succeeds run helper.toml --no-report --out helper
 equal "answers by the helper" "$(column helper/store.sqlite position_error_cm many)" "$(column helper/store.sqlite position_error_cm one)"
 succeeds check-solver -- python3 many.py
-has "$out" "20 poses in a batch"
+has "$out" "batch of 20 poses"
 sed 's/for each in all\]/for each in reversed(all)]/' many.py >turned.py
 ends 1 check-solver -- python3 turned.py
-has "$(grep FAILED <<<"$out")" "20 poses in a batch"
+has "$(grep FAILED <<<"$out")" "batch of 20 poses"

@@ -18,7 +18,7 @@ statuses() { sqlite3 "$1/store.sqlite" "SELECT status, count(*) FROM current_sol
 checked mine fine
 sed '/^\[check\]/,/^patience/d' mine.toml >plain.toml
 for name in plain mine; do succeeds run $name.toml --figures none --out $name; done
-has "$(<mine/report.md)" "Invalid: left "
+has "$(<mine/report.md)" "Rejected by the check: left "
 equal "answers" "$(sqlite3 mine/store.sqlite "ATTACH 'plain/store.sqlite' AS plain; SELECT count(*) FROM solves AS one
   JOIN plain.solves AS other USING (label, run, point) WHERE one.answer_rad = other.answer_rad AND one.evaluations = other.evaluations
   AND one.status = CASE WHEN other.status <> 'ok' OR one.answer_rad NOT LIKE '[-%' THEN other.status ELSE 'invalid' END")" 48
@@ -36,7 +36,7 @@ mv checking.py away.py
 succeeds merge merged shard-1 shard-2
 same_fingerprint mine/store.sqlite merged/store.sqlite
 succeeds verify merged/store.sqlite
-has "$out" "made again"
+has "${out//$'\n'/ }" "repeated"
 has_no "$out" "in this version"
 succeeds report merged/store.sqlite --json --figures none
 json 'of["direction"]["lean"] == "smaller" and any(finding["metric"] == "lean" for finding in of["findings"])'

@@ -18,7 +18,7 @@ has "$(<null.said)" 'expected "q"'
 # A NUL does not end what is said of a line.
 "$program" check-solver printf '{"message":"hello\0"}\n' >.out 2>&1
 equal "code at a NUL" $? 1
-has "$(<.out)" "; expected JSON"
+has "$(<.out)" "; expected a JSON object"
 
 # Who asks for one candidate at a time may spend all evaluations.
 cat >asked.py <<'END'

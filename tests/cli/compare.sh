@@ -14,25 +14,25 @@ base=base/store.sqlite again=again/store.sqlite fewer=fewer/store.sqlite
 # Two stores: nothing worse, and worse; the other way round nothing is.
 cp $base before.sqlite
 succeeds compare $base $again
-has "$out" "IK-BA, BA, DE, PSO, K-ABC and MO-PSO: all solves are the same, bit for bit (144 solves)."
+has "$out" "IK-BA, BA, DE, PSO, K-ABC and MO-PSO: all 144 solves are identical, bit for bit."
 succeeds compare $base $again --json
 quiet
 json 'of["exit_code"] == 0 and len(of["worse"]) == 6 and not any(of["worse"].values()) and of["files"] == []'
 ends 3 compare $base $fewer --json
 json 'all(row["metric"] in of["direction"] for row in of["findings"]) and of["metric"].keys() == of["worse"].keys()'
-json '[label for label in of["worse"] if "error" in of["worse"][label]] == ["DE", "PSO", "K-ABC", "MO-PSO"]'
+json '[label for label in of["worse"] if "position error" in of["worse"][label]] == ["DE", "PSO", "K-ABC", "MO-PSO"]'
 golden compare-stores
 ends 4 compare $base $fewer --label BA --strict
 succeeds compare $base $fewer --label BA
 cmp $base before.sqlite || fail "compare changed the store"
 ends 3 compare $base $fewer --label BA --label K-ABC --strict -o verdict.md
-equal "metrics of two labels in verdict.md" "$(grep -c '^| error |' verdict.md)" 2
+equal "metrics of two labels in verdict.md" "$(grep -c '^| position error |' verdict.md)" 2
 
 # Two labels of one store.
 succeeds compare BA IK-BA --store $base --json
 golden compare-labels
 succeeds compare IK-BA BA --store $base --margin 10%  # the plan names the error alone
-has "$out" "Not in the plan: worse in joint motion."
+has "${out//$'\n'/ }" "Not counted (not in the plan): worse in joint motion."
 
 # A pair has one p and one verdict, whichever command and option tells them.
 cat >pairs.py <<'END'
@@ -66,11 +66,11 @@ python3 pairs.py "$program" several/store.sqlite || fail "report and compare tel
 # The plan's metrics decide, and --metric asks fewer of them.
 run_it compare LM SLSQP --store several/store.sqlite --json
 equal "exit code for more evaluations" $code 3
-json 'of["worse"]["SLSQP"] == ["evaluations"] or of["worse"]["SLSQP"] == ["evaluations per solved"]'
+json 'of["worse"]["SLSQP"] == ["evaluations"] or of["worse"]["SLSQP"] == ["evaluations per success"]'
 succeeds compare LM SLSQP --store several/store.sqlite --metric solved --json
 json 'of["worse"]["SLSQP"] == [] and of["also_worse"]["SLSQP"] != []'
 cp several/store.sqlite nobody.sqlite && sqlite3 nobody.sqlite 'DELETE FROM series'
-refused "no solvers" compare nobody.sqlite several/store.sqlite
+refused "no solver to compare" compare nobody.sqlite several/store.sqlite
 refused "names solved, time and evaluations" compare LM SLSQP --store several/store.sqlite --metric motion
 refused "--time-margin 10%" compare LM SLSQP --store several/store.sqlite --metric time
 refused "add time" compare LM SLSQP --store several/store.sqlite --metric solved --time-margin 10%
@@ -97,7 +97,7 @@ gate 0 no-baseline
 cp ikbench-gate/store.sqlite baseline.sqlite
 gate 0 passed OUT=same STRICT=true
 [ -s same/verdict.md ] && cmp same/verdict.md summary.md || fail "no verdict in the summary: $(<summary.md)"
-refused 'in turn' compare $base $again --time-margin 10%
+refused 'alternating rounds' compare $base $again --time-margin 10%
 code=0  # 3 where the machine was slower in one's turns, 1 where it was busy
 OUT=turns OLD=$program TURNS=6 BASELINE='' bash "$root/cli/gate.sh" >.out 2>.err || code=$?
 [[ $code == [03] ]] || [[ $code = 1 && $(<.out) == *'time (not comparable)'* ]] || fail "two programs in turn: exit code $code, and said $(<.out) $(<.err)"

@@ -54,7 +54,7 @@ if can c++; then
     '"a\"\\ /  "[1,null,-0.25,1]'
   json '[round(x, 9) for x in of] == [2, 2.0000008, -1.283185307, 9]' <(./hostile '{}' | tail -n 1)
   for wrong in '' '{' '{"a"' '{"a":' '{"a":1' '{"a":1,}' '[1,]' '["a' '["a\' '["\u12' '["\q"]' '[nul]' '{]' '[}' '[-]' '[1 2]' x; do
-    equal "what it says of $wrong" "$(./hostile "$wrong" 2>&1)" "a line that is no JSON"
+    equal "what it says of $wrong" "$(./hostile "$wrong" 2>&1)" "a line that is not JSON"
   done
   # A library that finds nothing has answered: the arm stays, and its solves are not lost.
   study none "$(printf '[[solvers]]\nlabel = "none"\nprocess = ["./hostile", "{\\"text\\":\\"none\\"}"]\n')"
@@ -90,7 +90,7 @@ python3 "$root/docs/examples/rectangle.py" >rectangle.csv
 sed -e 's/robot = .*/robot = "ur5e.urdf"\nruns = 2\ninitial_deg = [0, -90, 90, -90, -90, 0]\nstop = { iterations = 100, tolerance_cm = 0.001, tolerance_deg = 0.01 }/' \
   -e 's/all_joints/pose/; s/kind = .*/kind = "csv"\nfile = "rectangle.csv"/' "$scripts/studies/my_study.toml" >rectangle.toml
 succeeds run rectangle.toml --figures none --out rectangle --json
-json '[(row["n"], row["mean"]) for row in of["groups"] if row["metric"] == "solved"] == [(1, 100)]'
+json '[(row["n"], row["mean"]) for row in of["groups"] if row["metric"] == "targets solved"] == [(1, 100)]'
 equal "solves of the rectangle" "$(solves rectangle/store.sqlite)" 62
 
 # What clamping costs, on two arms.

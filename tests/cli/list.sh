@@ -41,7 +41,7 @@ for key in base tip limits $(sed -n 's/^\([a-z_]*\) = .*/\1/p' slim2023-time.tom
   grep -qE "\`$key(\`| =)" "$root/docs/reference/study-file.md" || fail "study-file.md lacks $key"
 done
 study theirs '[[solvers]]' 'label = "X"' 'process = ["touch", "ran"]'
-refused "a list starts none" list studies theirs.toml
+refused "starts no programs" list studies theirs.toml
 [ ! -e ran ] || fail "a list started a program"
 
 succeeds list metrics && [[ $out =~ solved_in_time\ +larger ]] || fail "more solved in time is not better: $out"

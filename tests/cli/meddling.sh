@@ -26,7 +26,7 @@ cp "$scripts/programs/thief.py" .
 } >robbed.toml
 code=0; "$program" run robbed.toml --no-report --out robbed >.out 2>.err || code=$?
 equal "exit code of a robbed run: $(<.err)" $code 2
-has "$(<.err)" "of the 18 solves: one of the programs"
+has "$(<.err)" "of the 18 solves: another process"
 
 # What lies in somebody else's folder is not run, and no link in it is written through.
 succeeds run slim2023 "${small[@]}" --no-report --out theirs

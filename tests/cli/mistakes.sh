@@ -51,9 +51,9 @@ if can jq; then
     "$program" stats - --better smaller <"$file" 2>.err; equal "code of standard input" $? 1
     has "$(tail -n 1 .err)" "> table.csv"
   done <<'END'
-hyperfine.json|by hyperfine
-google.json|by Google Benchmark
-a line.jsonl|an object a line
+hyperfine.json|from hyperfine
+google.json|from Google Benchmark
+a line.jsonl|one object per line
 objects.json|is JSON
 END
 fi
@@ -61,7 +61,7 @@ rm -f ./*.json ./*.json.csv "a line.jsonl"*
 echo '{"x":[1,{"y":2}]}' >nested
 gzip <table.csv >table.csv.gz
 printf 'PK\003\004\0' >table.ods
-for file in "nested|a row for each value" "table.csv.gz|gunzip -k table.csv.gz" "table.ods|libreoffice" "made/store.sqlite|ikbench report made/store.sqlite"; do
+for file in "nested|one row per value" "table.csv.gz|gunzip -k table.csv.gz" "table.ods|libreoffice" "made/store.sqlite|ikbench report made/store.sqlite"; do
   ends 1 stats "${file%%|*}"
   has "$(xargs <.err)" "${file#*|}"
 done

@@ -64,7 +64,7 @@ paper=(slim2023 --set runs=3 --set path.points=5)
 succeeds run "${paper[@]}" --figures none --out made --json
 quiet
 golden slim2023
-json 'of["metric"] == "error" and "report.html" in of["files"] and len(of["files"]) < 45'
+json 'of["metric"] == "position error" and "report.html" in of["files"] and len(of["files"]) < 45'
 [ ! -e made/figures ] || fail "pictures or scripts: $(find made/figures)"
 succeeds report made/store.sqlite --figures none --json --out again
 golden slim2023
@@ -83,7 +83,7 @@ cp "$root/tests/data/urdf/fetch.urdf" "$scripts/studies/theirs.toml" .
 succeeds run theirs.toml --figures none --out theirs
 equal "solves of a stranger's arm" "$(solves theirs/store.sqlite)" 96
 ! grep -i -n 'helix\|slim' theirs/report.html theirs/report.md || fail "the report speaks of a paper"
-json '{("damped_least_squares", 92), ("newton", 75)} <= {(row["solver"], round(row["mean"])) for row in of["groups"] if row["metric"] == "solved"}' \
+json '{("damped_least_squares", 92), ("newton", 75)} <= {(row["solver"], round(row["mean"])) for row in of["groups"] if row["metric"] == "targets solved"}' \
   theirs/results.json
 
 # Sweeps: every combination is an entry (sweep.test.cpp).

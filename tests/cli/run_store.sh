@@ -52,9 +52,9 @@ same_fingerprint urdf/store.sqlite urdf-here/store.sqlite
 cd elsewhere || exit 1
 succeeds run ../urdf/store.sqlite --no-report --out ../urdf-there
 has "$err" "as the store has it"
-refused "expected --robot" run ../urdf/store.sqlite --tip flange --no-report --out ../other
+refused "add --robot" run ../urdf/store.sqlite --tip flange --no-report --out ../other
 cp "$root/tests/data/urdf/panda.urdf" ur5e.urdf
-refused "another arm than ur5e.urdf of the store" run ../urdf/store.sqlite --no-report --out ../other
+refused "another arm than ur5e.urdf in the store" run ../urdf/store.sqlite --no-report --out ../other
 succeeds run ../urdf/store.sqlite --robot ../ur5e.urdf --no-report --out ../urdf-given
 cd ..
 same_fingerprint urdf/store.sqlite urdf-given/store.sqlite

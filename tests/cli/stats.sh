@@ -51,7 +51,7 @@ for file in $(python3 -c 'import json; print(*json.load(open(".out"))["files"])'
 for options in --json "--out asked" "--test means" "--control A"; do refused "--better larger" stats "$data/accuracy.csv" $options; done
 [ ! -e asked ] || fail "a report of what was not said"
 succeeds stats "$data/accuracy.csv" --better larger
-has "$out" "A (median accuracy 0.91) is better than B"
+has "$out" "A is better than B: median accuracy 0.91"
 
 # asked WORD ARGUMENTS...: a question of one page, with the word; nothing is read.
 asked() {

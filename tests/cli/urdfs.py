@@ -171,7 +171,7 @@ def calibrated(f):
     for joint in f.joints[:-1]: joint[4] = (joint[4][0] + 1.5e-5, joint[4][1] - 2.5e-5, joint[4][2])
 def placeholder(f):
     f.joints[0][6] = "<limit lower='-inf' upper='1e16'/>"
-    f.asks, f.tip = "a slide needs" if f.joints[0][2] == slide else "its type is continuous", None
+    f.asks, f.tip = "a prismatic joint needs" if f.joints[0][2] == slide else "its type is continuous", None
 def mimic_on_the_way(f):
     f.joints[0][6] += "<mimic joint='x'/>"
     f.asks, f.tip = "mimics another", None

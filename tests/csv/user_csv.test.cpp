@@ -502,7 +502,8 @@ TEST_CASE("rows in which Google Benchmark sums up others are left out, and told"
   REQUIRE(read.observed[0].groups.size() == 3);
   CHECK(read.observed[0].groups[1].name == "BM_y_mean");  // repeated, so it is no aggregate
   CHECK(list_of(read.observed[0].groups[0]).size() == 4);
-  CHECK(contains(fmt::format("{}", fmt::join(read.notes, " ")), "Left out are rows that sum up others: BM_x_mean, "));
+  CHECK(contains(fmt::format("{}", fmt::join(read.notes, " ")),
+                 "Rows that summarise other rows are left out: BM_x_mean, "));
   Request asked = times;
   asked.where = {"name=BM_x_mean"};
   CHECK(list_of(observations(text, asked).groups[0]) == std::vector{7.5});
@@ -534,7 +535,7 @@ TEST_CASE("a question describes the columns, of many those that may be labels an
   const std::vector<std::vector<std::string>> page = page_of(text);
   REQUIRE(page.size() == 4);
   CHECK(page[0] == std::vector<std::string>{"  host", "text", "1 different", "n1"});
-  CHECK(page[2] == std::vector<std::string>{"  seed", "whole", "6 different", "0"});
+  CHECK(page[2] == std::vector<std::string>{"  seed", "whole number", "6 different", "0"});
   CHECK(page[3] == std::vector<std::string>{"  error", "number", "6 different", "0.5"});
   for (int i = 0; i < 40; ++i) header += fmt::format(",c{}", i), row += ",same";
   const std::string many = header + ",who,error\n" + row + ",A,1.5\n" + row + ",A,2.5\n" + row + ",B,3.5\n";
@@ -597,8 +598,8 @@ TEST_CASE("names are taken as they are, and none looks like another") {
   // An index that pandas left without a name.
   CHECK(observations(",solver,error\n0,a,1.5\n1,a,2.25\n0,b,3.5\n1,b,4.25\n", {.block = {"column 1"}}).is_paired);
   CHECK(observations("so=lver,s,v\na=b,x,1.5\na=b,y,2.5\nc,x,9\n", {.where = {"so=lver=a=b"}}).groups.size() == 2);
-  CHECK(
-      contains(statements_of("s,v\n\xe4,1.5\n\xe4,2.5\n\xf6,3.5\n\xf6,4.5\n"), "data.csv:2: letters in another code"));
+  CHECK(contains(statements_of("s,v\n\xe4,1.5\n\xe4,2.5\n\xf6,3.5\n\xf6,4.5\n"),
+                 "data.csv:2: letters in another encoding"));
   CHECK(contains(statements_of("s,v\na,1\na\u200b,2\n"), "two groups look alike"));
   CHECK(contains(statements_of("s,v\n\"a\nb\",1.5\n\"a\nb\",2.5\na b,3.5\na b,4.5\n"), "two groups look alike"));
 }
@@ -742,7 +743,7 @@ TEST_CASE("printed means are compared by means") {
   with_n.n = 10;
   const MetricSamples ten = csv::read(of_hyperfine, "s.csv", with_n).observed.front();
   CHECK(std::get<judge::SummaryStatistics>(ten.groups.back().sample).n == 10);
-  CHECK(contains(statements_of("name,n,mean,sd\nA,5,1,1\nB,5,2,1\n", with_n), "--n does, too"));
+  CHECK(contains(statements_of("name,n,mean,sd\nA,5,1,1\nB,5,2,1\n", with_n), "leave --n out"));
   // Who does not say --summaries is told, also where the labels are named.
   CHECK(contains(statements_of(of_hyperfine), "[--summaries --n N]"));
   const std::string of_three = "solver,best,average,std_dev,n_runs\nA,1,1.2,.1,20\nB,1,1.4,.1,20\nC,1,1.5,.1,20\n";

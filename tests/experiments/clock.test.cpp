@@ -153,7 +153,7 @@ TEST_CASE("a class that remembers is told of", "[clock]") {
   const Progress progress = run(study, store, {});
   Recorded<'a'>::shift = 0;
   REQUIRE(progress.anomalies.size() == 1);
-  CHECK(progress.anomalies.front() == "a: it answers otherwise when it is asked again, 2 of 2 times");
+  CHECK(progress.anomalies.front() == "a: it gave other answers to the same question in 2 of 2 repeats");
   study.stop.seconds = 1e-9;  // what the clock ends says nothing of it
   ScratchStore another;
   CHECK(run(study, another, {}).anomalies.empty());

@@ -113,7 +113,7 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
   const std::string finite = "not finite", cut = "are cut";
   const std::vector<Odd> all{{"step", nothing, Status::ok},
                              {"finished", nothing, Status::ok},
-                             {"", nothing, Status::misreported, "nobody counts", "", false},
+                             {"", nothing, Status::misreported, "are not counted", "", false},
                              {"step", fill(not_a_number), Status::not_finite, finite},
                              {"step", fill(infinity), Status::not_finite, finite},
                              {"step", fill(1e308), Status::not_finite, finite},

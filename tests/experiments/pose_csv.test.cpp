@@ -174,9 +174,9 @@ TEST_CASE("a CSV file that is missing, elsewhere or too large is refused", "[csv
   for (const std::string file : {"../outside.csv", "link.csv"})
     CHECK_THAT(said(file), StartsWith((folder.path / "study/my.toml").string() + ":4:8: path.file is \"" + file +
                                       "\", which is outside"));
-  CHECK_THAT(said(""), ContainsSubstring("is no regular file"));
+  CHECK_THAT(said(""), ContainsSubstring("is not a regular file"));
   std::filesystem::create_symlink("/dev/zero", folder.path / "study/endless.csv");
-  CHECK_THAT(said("endless.csv"), ContainsSubstring("is no regular file"));
+  CHECK_THAT(said("endless.csv"), ContainsSubstring("is not a regular file"));
   std::ofstream(folder.path / "study/sparse.csv").close();
   std::filesystem::resize_file(folder.path / "study/sparse.csv", 1ULL << 40);  // 1 TB that takes no room
   CHECK_THAT(said("sparse.csv"), ContainsSubstring("expected a file of at most 16 MB"));

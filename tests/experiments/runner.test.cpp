@@ -237,7 +237,7 @@ TEST_CASE("a run whose study another process replaces is refused, keeps its solv
     const std::string said =
         complaint<std::invalid_argument>([&] { run(small_study(), store, {.jobs = jobs, .progress = meddle}); });
     CHECK_THAT(said, ContainsSubstring("saved a different study named 'small' in this store"));
-    CHECK_THAT(said, ContainsSubstring("run this one again for its report"));
+    CHECK_THAT(said, ContainsSubstring("run this study again for its report"));
     CHECK(store.study("small").definition.json == to_json(other));
     CHECK(run(small_study(), store, {}).reused == 24);
     CHECK(same_numbers(store.solves("small"), solve_all(small_study())));
@@ -252,10 +252,10 @@ TEST_CASE("a store that was edited is refused and says where", "[runner]") {
     return complaint<std::invalid_argument>([&] { run(small_study(), scratch, {}); });
   };
   for (const auto& [edit, part] : std::vector<std::pair<const char*, const char*>>{
-           {"DELETE FROM solves WHERE label = 'BA' AND run = 2 AND point = 3", "run 2, point 4 by BA is not what"},
-           {"UPDATE solves SET run = 0 WHERE label = 'BA' AND run = 2", "run 0, point 1 by BA is not what"},
+           {"DELETE FROM solves WHERE label = 'BA' AND run = 2 AND point = 3", "run 2, point 4 by BA is not the one"},
+           {"UPDATE solves SET run = 0 WHERE label = 'BA' AND run = 2", "run 0, point 1 by BA is not the one"},
            {"UPDATE solves SET answer_rad = '[1]' WHERE label = 'BA' AND run = 2 AND point = 1",
-            "run 2, point 1 by BA is not what"}}) {
+            "run 2, point 1 by BA is not the one"}}) {
     const std::string message = complaint_after(edit);
     CAPTURE(edit, message);
     CHECK(contains(message, part));

@@ -89,7 +89,7 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
       {"orientation_error", [](SolveRecord& solve) { solve.target_rotation[4] += 1e-6; }},
       {"largest_move_deg", [](SolveRecord& solve) { solve.largest_move_deg = 0; }},
       {"reached_position_m", [](SolveRecord& solve) { solve.reached_position_m[1] += 1e-6; }},
-      {"not start where the solve before", [](SolveRecord& solve) { solve.start_rad = solve.answer_rad; }},
+      {"not start at the previous answer", [](SolveRecord& solve) { solve.start_rad = solve.answer_rad; }},
       {"the arm moved, but its status is crashed", [](SolveRecord& solve) { solve.status = Status::crashed; }},
       {": it has 0 evaluations (counted by ikbench) in ", [](SolveRecord& solve) { solve.evaluations = 0; }},
       {"(counted by none) in ", [](SolveRecord& solve) { solve.counted_by = CountedBy::none; }},
@@ -112,12 +112,12 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
       {"cpu_seconds is inf, which no solve has", [](SolveRecord& solve) { solve.cpu_seconds = INFINITY; }},
       {"wall_seconds is -1, which no solve has", [](SolveRecord& solve) { solve.wall_seconds = -1; }},
       {"seconds are not its wall_seconds", [](SolveRecord& solve) { solve.seconds /= 2; }},
-      {"all_answers_rad are not", [](SolveRecord& solve) { solve.all_answers_rad = {1}; }},
+      {"all_answers_rad do not", [](SolveRecord& solve) { solve.all_answers_rad = {1}; }},
       {"reported_error_cm", [](SolveRecord& solve) { solve.reported_error_cm += 1e-3; }},
       {"reported_error_cm is nan, but ", [](SolveRecord& solve) { solve.reported_error_cm = not_a_number; }},
       {"status is not_finite, but ", [](SolveRecord& solve) { solve.status = Status::not_finite; }},
-      {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.answer_rad.pop_back(); }},
-      {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.target_rotation.clear(); }}};
+      {"does not fit an arm with 6 joints", [](SolveRecord& solve) { solve.answer_rad.pop_back(); }},
+      {"does not fit an arm with 6 joints", [](SolveRecord& solve) { solve.target_rotation.clear(); }}};
   for (const auto& [what, change] : changes) {
     std::vector<SolveRecord> solves = good;
     change(solves[4]);
@@ -195,7 +195,7 @@ TEST_CASE("solves are made again from the store alone, and another bit or count 
     if (what == "restarts") forged.back().restarts = 99;
     if (what == "another answer") forged.back().answer_rad[0] = std::nextafter(forged.back().answer_rad[0], 9);
     CHECK_THAT(complaint<std::invalid_argument>([&] { found_in(what.c_str(), forged); }),
-               ContainsSubstring("made again, it has " + what));
+               ContainsSubstring("repeated, it has " + what));
   }
   StoredStudy renamed = entry;
   renamed.series.front().algorithm = "newton";

@@ -274,8 +274,8 @@ TEST_CASE("a study's arm may be a URDF file, read as its table urdf says", "[stu
   CHECK_FALSE(nlohmann::json::parse(to_json(read(solver_entry))).contains("urdf"));
   CHECK(keys_of(parse_study(to_toml(soft), "again")) == keys_of(soft));
   CHECK(contains(statements_of(solver_entry, {robot, "urdf.tip=tol"}),
-                 "tip is \"tol\", which is no link; did you mean \"tool\"?"));
-  CHECK(contains(statements_of(solver_entry, {robot, "urdf.snap_deg=0"}), "the arm is judged as the file prints it"));
+                 "tip is \"tol\", which is not a link; did you mean \"tool\"?"));
+  CHECK(contains(statements_of(solver_entry, {robot, "urdf.snap_deg=0"}), "the arm is taken as the file has it"));
   const std::string rounded = std::filesystem::absolute("tests/data/urdf/gen3.urdf").string();
   CHECK(contains(statements_of("search = \"wrist\"\n" + solver_entry, {"robot=" + rounded}),
                  "0.35 mm from a common point and 0.00021 deg from right angles; expected \"all_joints\""));
@@ -388,7 +388,7 @@ TEST_CASE("a study is a built-in name or a file, and anything else is told the n
     CHECK(contains(message, where));
   };
   for (const char* none : {"slim2032", ""}) says(none, "no such file", "slim2023-context");
-  says(file, "no such file: " + file + ";", names);
+  says(file, "there is no file " + file + ";", names);
   says("/dev/zero", "/dev/zero is not a regular file", "");
   says(folder.path.string(), folder.path.string() + " is a folder; expected a TOML file", names);
   says("slim2032", "no such file", "did you mean \"slim2023\"?");
@@ -489,7 +489,7 @@ TEST_CASE("a mistake in an override is reported as that of --set, not of the fil
 
 TEST_CASE("a mistake in another option is reported as that option's", "[study][set][mistakes]") {
   CHECK(statements_of(solver_entry, {"--robot robot=ur5f"}).starts_with("--robot: unknown robot"));
-  CHECK(statements_of(solver_entry, {"--tip urdf.tip=tool0"}).starts_with("--tip: [urdf] is about"));
+  CHECK(statements_of(solver_entry, {"--tip urdf.tip=tool0"}).starts_with("--tip: [urdf] is only"));
   CHECK(statements_of(solver_entry, {"--sweep ik_bat.alpha=[7, ]"}).starts_with("--sweep: "));
 }
 

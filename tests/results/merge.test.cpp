@@ -136,7 +136,8 @@ TEST_CASE("solves that no study of their store has are counted and left out, wit
     CHECK(merged.added == 1);
     CHECK(merged.duplicates == 0);
     REQUIRE(merged.skipped.size() == 1);
-    CHECK(merged.skipped[0] == "2 of 2 solves in " + quoted(folder.path / "b") + ", which none of its studies has");
+    CHECK(merged.skipped[0] ==
+          "2 of 2 solves in " + quoted(folder.path / "b") + ", because none of its studies has them");
     const Store store(folder.path / "out", Store::Mode::read);
     CHECK(series_of(store, "key-a").size() == 1);
     CHECK(machines(store) == std::vector<std::string>{"one"});
@@ -195,19 +196,19 @@ TEST_CASE("another study of the same name is refused with the field that differs
   };
   CHECK_THAT(said("b"), ContainsSubstring("robot is \"iiwa14\" and \"iiwa7\""));
   CHECK_THAT(said("c"), ContainsSubstring("use one version of ikbench"));
-  CHECK_THAT(said("d"), ContainsSubstring("its solvers or their options are others"));
+  CHECK_THAT(said("d"), ContainsSubstring("its solvers or their options differ"));
   other = sample_study();
   other.series.front().label += " again";
   Store(folder.path / "e", Store::Mode::write).save_study(other);
-  CHECK_THAT(said("e"), ContainsSubstring("its solvers have other labels"));
+  CHECK_THAT(said("e"), ContainsSubstring("the labels of its solvers differ"));
 }
 
 TEST_CASE("the difference of two definitions names the field, and values that fit", "[merge]") {
   const std::string alike(60, 'x');
   const auto with = [](const std::string& note) { return R"({"runs":20,"urdf":")" + note + "\"}"; };
   CHECK(difference_in_solves(with("a"), with("b")) == R"(urdf is "a" and "b")");
-  CHECK(difference_in_solves(with("a"), R"({"runs":30})") == R"(urdf is "a" and not there)");
-  CHECK(difference_in_solves(with(alike + "a"), with(alike + "b")) == "urdf is another");
+  CHECK(difference_in_solves(with("a"), R"({"runs":30})") == R"(urdf is "a" and missing)");
+  CHECK(difference_in_solves(with(alike + "a"), with(alike + "b")) == "urdf differs");
   CHECK(difference_in_solves(with("a"), with(alike + "b")) == R"(urdf is "a" and another)");
   CHECK(difference_in_solves(with(alike), with(alike)).empty());
   CHECK(difference_in_solves(R"({"stop":{"seconds":1}})", R"({"stop":{"seconds":2}})") == "stop.seconds is 1 and 2");

@@ -117,7 +117,7 @@ TEST_CASE("a study that is not there is told which are", "[store]") {
   store.save_study(sample_study("helix"));
   store.save_study(sample_study("circle"));
   CHECK(complaint<std::invalid_argument>([&] { store.solves("x"); }) ==
-        "no study 'x' in " + quoted(file) + "; expected one of: helix, circle");
+        "there is no study 'x' in " + quoted(file) + "; expected one of: helix, circle");
   CHECK(store.study("").name == "helix");
 }
 

@@ -94,7 +94,7 @@ TEST_CASE_METHOD(StoreFile, "a store of another version is refused and stays as 
     const std::string before = text_in(file);
     for (const auto mode : {Store::Mode::read, Store::Mode::write, Store::Mode::write_shared})
       CHECK_THAT(refusal(file, mode),
-                 ContainsSubstring(fmt::format("{} is a store of version {}, and this ikbench reads version 4 alone",
+                 ContainsSubstring(fmt::format("{} is a store of version {}, but this ikbench reads only version 4",
                                                quoted(file), version)));
     CHECK(text_in(file) == before);
   }
@@ -161,7 +161,7 @@ TEST_CASE_METHOD(StoreFile, "a value that ikbench does not write is damage, and 
             "(answer_rad: 'x' in a list of numbers; in the solve of run 2, point 1 of series 'key-a')"},
            {"position_error_cm = -1", "position_error_cm is -1, which no solve has"},
            {"seconds = 0", "seconds is 0, which no solve has"},
-           {"label = 'other'", "the label of 'IK-BA' is another in its solves"},
+           {"label = 'other'", "the label of 'IK-BA' differs in its solves"},
            {"batch_size = 5000000000", "batch_size: 5000000000"}}) {
     CAPTURE(change);
     const StoreFile other;
@@ -202,8 +202,8 @@ TEST_CASE("what the system makes while it is read is no store, and is not waited
 
 TEST_CASE("studies that no study file makes are damage", "[store][faults]") {
   const std::pair<const char*, const char*> changes[]{
-      {"UPDATE studies SET definition = '5'", "is no JSON object"},
-      {"UPDATE series SET options = '{broken'", "is no JSON object"},
+      {"UPDATE studies SET definition = '5'", "is not a JSON object"},
+      {"UPDATE series SET options = '{broken'", "is not a JSON object"},
       {"INSERT INTO series WITH RECURSIVE c(x) AS (SELECT 9 UNION ALL SELECT x + 1 FROM c WHERE x < 1009) "
        "SELECT name, x, 'k' || x, 'l' || x, 'a', '{}' FROM c, studies",
        "has more than 400 solvers"}};

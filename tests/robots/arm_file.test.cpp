@@ -71,7 +71,7 @@ TEST_CASE("a mistake in an arm file is told with file, line, column, value and w
 
 TEST_CASE("an arm file is a file of at most 16 MB, with a plain name", "[arm][mistakes]") {
   CHECK_THROWS_WITH(load_robot("none.toml"), "there is no file none.toml");
-  CHECK_THROWS_WITH(load_robot("/dev/zero"), "/dev/zero is no regular file");
+  CHECK_THROWS_WITH(load_robot("/dev/zero"), "/dev/zero is not a regular file");
   CHECK_THROWS_AS(parse_robot("links = [{}]", "a\nb.toml"), std::invalid_argument);
   CHECK_THROWS_AS(parse_robot("links = [{}]", std::string(300, 'a') + ".toml"), std::invalid_argument);
   const ScratchFolder folder;

@@ -158,11 +158,13 @@ TEST_CASE("base and tip are links of the user's, or the root and the end with th
   CHECK(read(text).base_link == "l0");
   CHECK(read(text).tip_link == "l4");
   CHECK(read(text, {.base = "l1", .tip = "l2"}).joints() == 1);
-  CHECK(said_of(text, {.base = "l9"}) ==
-        "my_arm.urdf:1: base is \"l9\", which is no link; did you mean \"l0\"?; robot FILE --links shows the tree");
+  CHECK(
+      said_of(text, {.base = "l9"}) ==
+      "my_arm.urdf:1: base is \"l9\", which is not a link; did you mean \"l0\"?; to see the links: ikbench robot FILE --links");
   CHECK(said_of(text, {.base = "l3", .tip = "l1"}) == "my_arm.urdf:1: no joints lead from link \"l3\" to link \"l1\"");
   CHECK(said_of(text, {.base = "l3", .tip = "l4"})
-            .starts_with("my_arm.urdf:1: no joint moves between links \"l3\" and \"l4\"; name others: --base LINK"));
+            .starts_with(
+                "my_arm.urdf:1: no joint moves between links \"l3\" and \"l4\"; choose others with --base LINK"));
   // More joints: of a kind, from a link to another.
   struct More {
     std::string type, from, to, content = "";
@@ -242,7 +244,7 @@ TEST_CASE("base and tip are links of the user's, or the root and the end with th
   const std::string middle = urdf({{"revolute", limit}, {"planar"}, {"revolute", limit}, {"fixed", to_tool}});
   CHECK(
       said_of(middle) ==
-      "my_arm.urdf:3: joint \"j2\": it is planar, and joints move before and behind it; for those behind it add --base "
+      "my_arm.urdf:3: joint \"j2\": it is planar, and joints move before and after it; to use only those after it, add --base "
       "l2, or base = \"l2\" in [urdf]");
   CHECK(read(middle, {.base = "l2"}).joints() == 1);
   const Robot walker = read(urdf({{"floating"}, {"revolute", limit}, {"fixed", to_tool}}));
@@ -327,7 +329,7 @@ TEST_CASE("limits of more than a turn are told, and lengths and velocities in ot
   };
   const Robot legs = arm("0.3", "<limit lower='-10' upper='10' velocity='12'/>");
   CHECK(legs.limits.upper[0] == 10);
-  CHECK(contains(legs.notes.at(0), "more than a turn"));
+  CHECK(contains(legs.notes.at(0), "more than one turn"));
   CHECK(doubts_of(legs).empty());
   CHECK(contains(size_of(legs), "2 joints, reach 0.3 m"));
   CHECK(contains(doubts_of(arm("42", limit)).at(0), "42 m"));
@@ -348,7 +350,7 @@ TEST_CASE("a joint that turns without end has no limits, whatever the file says"
   CHECK(arm.notes.empty());
   CHECK(
       said_of(urdf({{"prismatic"}})) ==
-      "my_arm.urdf:2: joint \"j1\": it is prismatic and has no <limit>; a slide needs its way in metres, such as <limit "
+      "my_arm.urdf:2: joint \"j1\": it is prismatic and has no <limit>; a prismatic joint needs limits in metres, such as <limit "
       "lower=\"0\" upper=\"0.5\"/>");
   const std::string slide = said_of(urdf({{"prismatic", "<limit lower='-999999' upper='999999'/>"}}));
   CHECK(contains(slide, "are -999999 and 999999"));
@@ -446,7 +448,7 @@ TEST_CASE("a file that is too large is refused with its place", "[urdf][mistakes
             .starts_with("my_arm.urdf:1: a name is not a text of at most 200 bytes"));
   CHECK(said_of(urdf(std::vector<Given>(65, {"revolute", limit}))) ==
         "my_arm.urdf:1: 65 joints move between base and tip; expected 1 to 64");
-  CHECK_THROWS_WITH(load_robot("tests"), "tests is no regular file");
+  CHECK_THROWS_WITH(load_robot("tests"), "tests is not a regular file");
   for (const std::string name : {"tests", "meshes/arm.stl", "arm.dae"})
     CHECK_THROWS_WITH(robot(name), StartsWith("unknown robot \"" + name) && ContainsSubstring(".urdf or .toml"));
   CHECK(read(std::vector<Given>(64, {"continuous", to_tool})).joints() == 64);

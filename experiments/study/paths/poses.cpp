@@ -91,7 +91,7 @@ class PoseColumns {
     const double value = sheet_.number(row, column);
     // An empty cell has no number, and so no first letter.
     if (!std::isfinite(value) || std::isalpha(static_cast<unsigned char>(sheet_.cell(row, column).front())) != 0)
-      sheet_.refuse(row, column, "is no number");
+      sheet_.refuse(row, column, "is not a number");
     return value;
   }
 
@@ -115,7 +115,8 @@ class PoseColumns {
   double angle(std::size_t row, std::size_t column) {
     const double value = number(row, column), unit = names_[column].unit == "deg" ? degree : 1;
     constexpr double limit = 1e6;  // digits of a larger angle are lost
-    if (std::abs(value) > limit) sheet_.refuse(row, column, fmt::format("is no angle; expected at most {:g}", limit));
+    if (std::abs(value) > limit)
+      sheet_.refuse(row, column, fmt::format("is not an angle; expected at most {:g}", limit));
     if (const std::string_view warning = doubt_of_angle(value, unit); !warning.empty())
       sheet_.refuse(row, column, warning);
     return value * unit;
@@ -130,7 +131,7 @@ class PoseColumns {
     constexpr double tolerance = 0.01;
     if (!(std::fabs(q.norm() - 1) <= tolerance))
       sheet_.refuse(row, quaternion_.front(),
-                    fmt::format("is of a quaternion with the length {:.6g}; expected 1", q.norm()));
+                    fmt::format("belongs to a quaternion of length {:.6g}; expected 1", q.norm()));
     const Eigen::Vector4d unit = q / q.norm();
     return Eigen::Quaterniond(unit[0], unit[1], unit[2], unit[3]).toRotationMatrix();
   }
@@ -143,8 +144,8 @@ class PoseColumns {
     const Eigen::Matrix3d R = T.topLeftCorner<3, 3>();
     if (!R.isUnitary(0.01) || R.determinant() < 0 || T.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
       sheet_.refuse(row, matrix_.front(),
-                    "begins a matrix that is no pose; expected the rows of a rotation, each with its part of the "
-                    "position behind it, then 0 0 0 1 or nothing");
+                    "begins a matrix that is not a pose; expected the rows of a rotation, each followed by its part of "
+                    "the position, then 0 0 0 1 or nothing");
     return Eigen::Quaterniond(R).normalized().toRotationMatrix();
   }
 
@@ -164,12 +165,12 @@ class PoseColumns {
             group.push_back(column);
         }
         if (group.size() > before + 1)
-          sheet_.refuse(fmt::format("two columns for {}{}; expected one", first.whole, part));
+          sheet_.refuse(fmt::format("there are two columns for {}{}; expected one", first.whole, part));
       }
       if (group.size() == parts.size() && std::ranges::count(quaternion_, group.front()) == 0) found.push_back(group);
     }
     if (found.size() > 1)
-      sheet_.refuse(fmt::format("{} and {} may be meant; take one out of the file",
+      sheet_.refuse(fmt::format("{} and {} may both be meant; remove one from the file",
                                 in_quotes(sheet_.titles()[found[0].front()]),
                                 in_quotes(sheet_.titles()[found[1].front()])));
     return found.empty() ? Group() : found.front();
@@ -193,7 +194,7 @@ class PoseColumns {
                                   in_quotes(sheet_.titles()[column])));
       if (!is_used && !(may_be_out && names_[column].part.empty()))
         sheet_.refuse(fmt::format(
-            "{}{} is no part of a position or rotation; name it \"\" in path.columns to leave it out, or expected {}",
+            "{}{} is not part of a position or rotation; to ignore it, name it \"\" in path.columns; otherwise expected {}",
             number_from(sheet_.titles()[0]) ? "there is no header, and column " : "",
             in_quotes(sheet_.titles()[column]), expected_columns));
     }
@@ -238,7 +239,8 @@ class CsvPath final : public Poses {
          InKey::no});
     io.texts(
         "columns", columns_,
-        {"names in place of the header's, \"\" for what is no part of a pose: [\"\", \"x\", \"y\", \"z\"]", InKey::no});
+        {"names in place of the header's, \"\" for a column that is not part of a pose: [\"\", \"x\", \"y\", \"z\"]",
+         InKey::no});
   }
 
   // Throws std::invalid_argument if lengths in cm or mm seem to be taken for metres.

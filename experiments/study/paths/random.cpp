@@ -128,7 +128,7 @@ class RandomTargets final : public TargetSet {
         "generator", generator_, {"ikbench", "numpy"},
         "what draws them. numpy: NumPy's np.random.seed(seed), then np.random.uniform joint by joint, of one with room for more than a turn half a turn each way");
     io.number("beyond_percent", beyond_, 0.01, {0.01, 1000},
-              "of unreachable ones: how far beyond, as a share of the reach");
+              "for unreachable targets: how far beyond the reach, as a share of it");
   }
 
   void check(const Robot& arm) const override {
@@ -142,7 +142,7 @@ class RandomTargets final : public TargetSet {
     constexpr double min_reach = 1e-6;  // [m]; shares of a smaller reach are no distances
     const double reach = arm.chain.reach().radius;
     refuse_if(Set::unreachable, !std::isfinite(reach),
-              fmt::format("\"unreachable\", but the reach of {} is not known, because a joint slides", arm.name));
+              fmt::format("\"unreachable\", but the reach of {} is not known, because a joint is prismatic", arm.name));
     refuse_if(Set::unreachable, reach < min_reach,
               fmt::format("\"unreachable\", but the reach of {} is 0, and so is every share of it", arm.name));
     refuse_if(Set::near_limits, !(arm.limits.upper - arm.limits.lower).array().isFinite().any(),
