@@ -13,6 +13,19 @@ namespace ikbench::base {
 
 namespace {
 
+// Former names of keys and values of studies, of options and of metrics, each with its new name.
+constexpr std::pair<std::string_view, std::string_view> new_names[]{
+    {"then", "tie_breakers"},
+    {"turns", "rounds"},
+    {"patience_s", "timeout_s"},
+    {"leave_out", "skip"},
+    {"hot", "warm"},
+    {"--patience", "--timeout"},
+    {"seconds_per_solved", "seconds_per_success"},
+    {"evaluations_per_solved", "evaluations_per_success"},
+    {"bend_deg", "second_difference_deg"},
+};
+
 unsigned char byte(std::string_view text, std::size_t at) { return static_cast<unsigned char>(text[at]); }
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
@@ -160,7 +173,16 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
+std::string renaming(std::string_view name, const std::vector<std::string>& candidates) {
+  for (const auto& [former, now] : new_names) {
+    if (former == name && std::ranges::find(candidates, now) != candidates.end())
+      return fmt::format("{} is now called {}", former, now);
+  }
+  return "";
+}
+
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates) {
+  if (const std::string sentence = renaming(name, candidates); !sentence.empty()) return "; " + sentence;
   const std::string nearest = nearest_name(name, candidates);
   return nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest);
 }
@@ -209,6 +231,7 @@ std::map<std::string, std::string> short_names(const std::vector<std::string>& n
 }
 
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates) {
+  if (std::string sentence = renaming(name, candidates); !sentence.empty()) return sentence;
   const std::string nearest = did_you_mean(name, candidates);
   return fmt::format("unknown {} \"{}\"{}{}", kind, front(name, 100),
                      nearest.empty() ? "; there are: " : nearest + " There are: ", fmt::join(candidates, ", "));

@@ -16,7 +16,10 @@ namespace ikbench::base {
 // Returns the candidate with the smallest edit distance, otherwise one that contains the name; empty if none is near.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
-// Returns `; did you mean "ik_bat"?`; empty if no candidate is near.
+// Returns `then is now called tie_breakers` for the former name of a candidate; empty for other names.
+std::string renaming(std::string_view name, const std::vector<std::string>& candidates);
+
+// Returns `; did you mean "ik_bat"?`, or `; hot is now called warm`; empty if no candidate is near.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
 // Returns "A, B and C", or "A; B, C and D" if one name is "B, C".
@@ -42,7 +45,8 @@ constexpr std::string_view plain_text = "a text of at most 200 bytes without con
 // that all names with the same first word have; otherwise it is cut in the middle.
 std::map<std::string, std::string> short_names(const std::vector<std::string>& names, std::size_t length = 32);
 
-// Returns `unknown solver "ik_bta"; did you mean "ik_bat"? There are: ik_bat, bat, ...`
+// Returns `unknown solver "ik_bta"; did you mean "ik_bat"? There are: ik_bat, bat, ...`, or for the former name of a
+// candidate `then is now called tie_breakers`.
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates);
 
 // Returns the element with this name. Throws std::invalid_argument, which lists all names, if there is none.

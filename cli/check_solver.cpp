@@ -294,14 +294,14 @@ std::string summary_of(std::size_t checks, std::size_t failed) {
 void add_check_solver(const Command& command, Invocation& invocation) {
   auto choice = std::make_shared<ProgramSpec>(ProgramSpec{.process = {}, .files = {}, .timeout = 5});
   command.add("COMMAND", &choice->process, "the solver and its arguments, after --").required();
-  command.add("--patience", &choice->timeout, "seconds after which a solve is aborted").number_in({0.1, 3600});
+  command.add("--timeout", &choice->timeout, "seconds after which a solve is aborted").number_in({0.1, 3600});
   auto robot_name = std::make_shared<std::string>();
   command.add("--robot", robot_name.get(),
               "arm to use (ikbench list robots), for a solver that supports only some kinds of arms");
   command.footer(
       "  ikbench check-solver -- python3 my_solver.py\n"
       "  ikbench check-solver --robot ur5e -- python3 my_closed_form.py\n"
-      "  ikbench check-solver --patience 60 -- octave-cli --quiet my_solver.m\n\n"
+      "  ikbench check-solver --timeout 60 -- octave-cli --quiet my_solver.m\n\n"
       "The exit code is 1 if a check fails. docs/reference/protocol.md describes the messages.");
   command.callback([choice, robot_name, &invocation] {
     std::vector<CheckLine> lines = Checks(*choice, robot_name->empty() ? example_arm() : robot(*robot_name)).lines;

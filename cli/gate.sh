@@ -2,7 +2,7 @@
 # Runs a study and compares its store with a baseline, as action.yml does: STUDY=my.toml BASELINE=old.sqlite cli/gate.sh
 # MARGIN (5%; default: the plan's), METRIC (solved,evaluations; default: all that the plan names), STRICT (true: inconclusive
 # fails, too), OUT (ikbench-gate), IKBENCH (the program).
-# With OLD, an older ikbench, in place of BASELINE both solve the study in turn, so that times decide, too: TURNS (20),
+# With OLD, an older ikbench, in place of BASELINE both solve the study in turn, so that times decide, too: ROUNDS (20),
 # at most the study's runs or targets; TIME_MARGIN (10%).
 # Writes OUT/store.sqlite and OUT/verdict.md. Exit code 0: passed or no baseline; otherwise that of ikbench run or compare.
 set -uo pipefail
@@ -22,27 +22,28 @@ ended() {  # ended OUTCOME CODE
 }
 refuse() { echo "gate: $1" >&2; ended failed 1; }
 [[ -n $study ]] || refuse "STUDY is not set; expected a study, such as STUDY=my.toml"
-old=${OLD:-} turns=${TURNS:-20} time_margin=
+old=${OLD:-} rounds=${ROUNDS:-20} time_margin=
 [[ -z $old ]] || baseline=$out/before/store.sqlite time_margin=${TIME_MARGIN:-10%}
 [[ -n $baseline ]] || refuse "BASELINE is not set; expected the store of the baseline, such as BASELINE=old.sqlite"
-[[ $turns =~ ^[1-9][0-9]{0,3}$ ]] || refuse "TURNS is $turns; expected a number from 1 to 9999"
+[[ -z ${TURNS:-} ]] || refuse "TURNS is now called ROUNDS"
+[[ $rounds =~ ^[1-9][0-9]{0,3}$ ]] || refuse "ROUNDS is $rounds; expected a number from 1 to 9999"
 [[ -z $time_margin || $time_margin =~ ^[0-9]+(\.[0-9]+)?%$ ]] || refuse "TIME_MARGIN is $time_margin; expected a percentage, such as 10%"
 [[ ${STRICT:-false} =~ ^(true|false)$ ]] || refuse "STRICT is $STRICT; expected true or false"
 differ() { [[ ! $baseline -ef $out/store.sqlite ]] || refuse "BASELINE is the store that this call writes; choose another OUT"; }
 differ
 solve() {
-  "$1" run "$study" --shard "$i/$turns" --out="$2/shards/$i" && return
+  "$1" run "$study" --shard "$i/$rounds" --out="$2/shards/$i" && return
   local code=$?
-  echo "gate: this failed in turn $i of TURNS=$turns, run by $1" >&2
+  echo "gate: this failed in round $i of ROUNDS=$rounds, run by $1" >&2
   ended failed $code
 }
 if [[ -z $old ]]; then
   "$program" run "$study" --no-report --out="$out" || ended failed $?
-else  # who begins a turn alternates
+else  # who begins a round alternates
   [[ ! -e $out || -e $out/.in-turn ]] || refuse "OUT is $out, a folder that no call with OLD made; choose a new one"
   mkdir -p -- "$out" && : >"$out/.in-turn" || ended failed 2
   rm -rf -- "$out"/{before,shards,store.sqlite}
-  for ((i = 1; i <= turns; i++)); do
+  for ((i = 1; i <= rounds; i++)); do
     ((i % 2)) && solve "$old" "$out/before"
     solve "$program" "$out"
     ((i % 2)) || solve "$old" "$out/before"
@@ -57,4 +58,4 @@ options=(${MARGIN:+--margin="$MARGIN"} ${time_margin:+--time-margin="$time_margi
 "$program" compare "$baseline" "$out/store.sqlite" -o "$out/verdict.md" "${options[@]}"
 code=$?
 [[ -z ${GITHUB_STEP_SUMMARY:-} || ! -e $out/verdict.md ]] || cat "$out/verdict.md" >>"$GITHUB_STEP_SUMMARY"
-case $code in 0) ended passed 0 ;; 3) ended worse 3 ;; 4) ended undecided 4 ;; *) ended failed $code ;; esac
+case $code in 0) ended passed 0 ;; 3) ended worse 3 ;; 4) ended inconclusive 4 ;; *) ended failed $code ;; esac

@@ -64,7 +64,7 @@ struct StudyWork {
     return stored_chain->second;
   }
   int rounds() const {
-    return shard.count > 1 ? 1 : static_cast<int>(std::min<std::int64_t>(study.turns, work_unit_count(study)));
+    return shard.count > 1 ? 1 : static_cast<int>(std::min<std::int64_t>(study.rounds, work_unit_count(study)));
   }
   std::vector<WorkUnit> units_in(Shard share) const {
     const int last = study.is_chained() ? 1 : points;
@@ -436,7 +436,7 @@ void solve_missing(StudyWork& work, const StoredStudy& stored, Store& store, con
                             .check = check_before_storing(stored),
                             .record_queue = record_queue};
   for (int round = 1; round <= work.rounds(); ++round) {
-    if (work.rounds() > 1) facts["turn"] = fmt::format("{}/{}", round, work.rounds());
+    if (work.rounds() > 1) facts["round"] = fmt::format("{}/{}", round, work.rounds());
     for (const auto& [lacking, units] : work.sessions_of(round)) {
       if (request.cancelled != nullptr && *request.cancelled) break;
       session = store.begin_session(facts);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/json.hpp"
+#include "base/names.hpp"
 #include "base/toml_table.hpp"
 
 namespace ikbench::results {
@@ -62,15 +63,27 @@ void list_fields(base::Fields& io, StudySpec& study) {
   io.whole("population", study.population, population_range,
            {"candidates per iteration; a solver can override it", base::InKey::in_text});
   io.whole("runs", study.runs, {1, 1'000'000}, {"independent repetitions", base::InKey::no});
-  io.whole("turns", study.turns, {1, 1000},
+  io.whole("rounds", study.rounds, {1, 1000},
            {"sessions in which all solvers solve a share of the runs or targets, in new processes and another order: "
             "times are compared over them, from 4 on; at most one for each run or target",
             base::InKey::no});
   io.choice("state", study.state, names_of(study.state),
             "which call on a target is timed, if solves do not start from the previous answer: the first, after other "
-            "solvers' work; hot: the second");
+            "solvers' work; warm: the second");
   io.whole("seed", study.seed, {0, base::no_limit}, {"seed of all random numbers", base::InKey::in_text});
 }
+
+namespace {
+
+// Refuses a stored table in which a key has its former name, because the key would count as one that is not given.
+void refuse_former_keys(const toml::table& table, std::string_view source) {
+  for (const auto& [key, node] : table) {
+    if (const std::string now = base::renaming(key.str(), {"rounds", "tie_breakers"}); !now.empty())
+      throw std::invalid_argument(fmt::format("{}: {}", source, now));
+  }
+}
+
+}  // namespace
 
 StudyDefinition parse_definition(std::string_view json) {
   return definition_of(base::parsed_json(json), std::string(json));
@@ -79,7 +92,10 @@ StudyDefinition parse_definition(std::string_view json) {
 StudyDefinition definition_of(const base::Json& all, std::string json) {
   if (!all.is_object()) throw std::invalid_argument("the definition of a study is not a JSON object");
   const toml::table table = base::toml_of(all);
-  base::TomlReader reader(table, fmt::format("study {}", table["name"].value_or("without a name")), "");
+  const std::string source = fmt::format("study {}", table["name"].value_or("without a name"));
+  refuse_former_keys(table, source);
+  if (table["analysis"].is_table()) refuse_former_keys(*table["analysis"].as_table(), source);
+  base::TomlReader reader(table, source, "");
   base::TomlReader path = reader.part("path"), stop = reader.part("stop"), reach = reader.part("unreachable_targets"),
                    figures = reader.part("figures"), colours = figures.part("colours"),
                    analysis = reader.part("analysis"), arm = reader.part("arm"), loop = reader.part("loop"),

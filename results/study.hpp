@@ -19,7 +19,8 @@
 
 namespace ikbench::results {
 
-// The metrics that `then` of a plan may name, in any order. The headline goes on to the first of those that is judged.
+// The metrics that `tie_breakers` of a plan may name, in any order. The headline goes on to the first of those that is
+// judged.
 inline const std::vector<std::string> default_tie_breakers{"time", "evaluations", "motion"};
 
 // The rules by which a study is judged, fixed before its data. They decide no number of a solve.
@@ -51,7 +52,7 @@ inline void list_fields(base::Fields& io, AnalysisPlan& plan) {
       "metric that decides which solver is best (ikbench list metrics); \"\": solved if any target is solved, otherwise the "
       "error");
   io.texts(
-      "then", plan.tie_breakers,
+      "tie_breakers", plan.tie_breakers,
       "tie-breakers, out of time, evaluations and motion: if solved does not separate the best solvers, the headline "
       "compares them by the first of these that is compared at all; []: none. The metric and the tie-breakers share "
       "the significance and decide the exit code of compare");
@@ -144,7 +145,7 @@ constexpr std::array<std::string_view, 2> names_of(LimitPolicy) { return {"recor
 constexpr std::array<std::string_view, 5> names_of(Start) {
   return {"previous", "initial", "middle", "random", "near"};
 }
-constexpr std::array<std::string_view, 2> names_of(CacheState) { return {"first", "hot"}; }
+constexpr std::array<std::string_view, 2> names_of(CacheState) { return {"first", "warm"}; }
 
 // The settings of a study, as its file has them. docs/reference/study-file.md explains each.
 struct StudySpec {
@@ -166,7 +167,7 @@ struct StudySpec {
   double near = 5 * base::degree;  // [rad] for Start::near: largest distance of a joint from the solution
   int population = 50;
   int runs = 20;
-  int turns = 6;  // sessions; decides only times (experiments/runner.hpp)
+  int rounds = 6;  // sessions; decides only times (experiments/runner.hpp)
   CacheState state = CacheState::first;
   std::uint64_t seed = 1;
   numerics::StopRule stop;

@@ -174,7 +174,7 @@ pause_all() { # for longer than its program may take for a solve
   local round slow paused
   sed 's/^import ikbench/&, time/; s/^def solve.*/&\n    time.sleep(0.5)/' "$root/docs/examples/pso.py" >slow.py
   cp "$root/solvers/helpers/ikbench.py" .
-  study slow '[[solvers]]' 'label = "slow"' 'process = ["python3", "slow.py"]' 'patience_s = 2'
+  study slow '[[solvers]]' 'label = "slow"' 'process = ["python3", "slow.py"]' 'timeout_s = 2'
   slow=(run slow.toml --set runs=1 --set path.points=4 --no-report --out)
   succeeds "${slow[@]}" slow-alone
   for ((round = 0; round < rounds; ++round)); do

@@ -46,31 +46,31 @@ std::optional<std::map<int, int>> matching_sessions(const std::vector<Session>& 
     const auto shard = session.environment.find("shard");
     return shard == session.environment.end() ? "" : shard->second;
   };
-  std::map<int, int> turns;
+  std::map<int, int> rounds;
   for (std::size_t i = 0; i < ours.size(); ++i) {
     const bool is_early =
         i > 0 && std::min(ours[i].began, theirs[i].began) < std::max(ours[i - 1].began, theirs[i - 1].began);
     if (is_early || shard_of(ours[i]).empty() || shard_of(ours[i]) != shard_of(theirs[i])) return {};
-    turns[static_cast<int>(theirs[i].id)] = static_cast<int>(ours[i].id);
+    rounds[static_cast<int>(theirs[i].id)] = static_cast<int>(ours[i].id);
   }
-  return turns;
+  return rounds;
 }
 
 // Returns both versions as solvers of one study, and takes their solves. Sessions of one round become one session. If
-// `turns` is empty, no two sessions become one.
-StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std::map<int, int>& turns) {
+// `rounds` is empty, no two sessions become one.
+StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std::map<int, int>& rounds) {
   both.labels = {now_label, before_label};
   both.rejections = {};
   const auto before = both.sessions.empty() ? 0 : static_cast<int>(both.sessions.back().id);
   for (Session& session : std::exchange(baseline.sessions, {})) {
-    if (!turns.empty()) continue;
+    if (!rounds.empty()) continue;
     session.id += before;
     both.sessions.push_back(std::move(session));
   }
   both.solves.reserve(2 * both.solves.size());
   for (SolveSummary solve : std::exchange(baseline.solves, {})) {
     solve.label = 1;
-    solve.session = turns.empty() ? solve.session + before : turns.at(solve.session);
+    solve.session = rounds.empty() ? solve.session + before : rounds.at(solve.session);
     both.solves.push_back(solve);
   }
   require_same_targets(both);
@@ -113,7 +113,7 @@ void refuse_what_the_plan_lacks(const RegressionOptions& options, const StudyDef
   for (const std::string& name : asked)
     if (std::ranges::count(named, name) == 0)
       throw std::invalid_argument(fmt::format(
-          "--metric {}: the study's plan names {}; expected some of these, or name it in `metric` or `then` of [analysis]",
+          "--metric {}: the study's plan names {}; expected some of these, or name it in `metric` or `tie_breakers` of [analysis]",
           name, base::listed(named)));
   const std::vector<Metric> metrics = metrics_of(definition);
   const auto is_of_time = [&](const std::string& name) {
@@ -122,7 +122,8 @@ void refuse_what_the_plan_lacks(const RegressionOptions& options, const StudyDef
   };
   const bool has_time = std::ranges::any_of(asked, is_of_time);
   if (options.time_margin && !has_time && options.metrics.empty())
-    throw std::invalid_argument("--time-margin: the study's plan does not name time; add it to `then` of [analysis]");
+    throw std::invalid_argument(
+        "--time-margin: the study's plan does not name time; add it to `tie_breakers` of [analysis]");
   if (options.time_margin && !has_time)
     throw std::invalid_argument("--time-margin lets times decide, but --metric leaves them out; add time to --metric");
   if (!options.time_margin && !options.metrics.empty() && has_time)
@@ -317,18 +318,18 @@ RegressionCheck check_regression(StudyResults study, const std::string& candidat
 RegressionCheck check_regression(StudyResults baseline, StudyResults candidate, RegressionOptions options) {
   refuse_other_task(baseline, candidate);
   const std::string label = candidate.labels.front();
-  const auto turns = matching_sessions(candidate.sessions, baseline.sessions);
+  const auto rounds = matching_sessions(candidate.sessions, baseline.sessions);
   const std::string now = timed_calls_text(candidate), before = timed_calls_text(baseline);
   // Why no time can be compared; empty: nothing is in the way.
   const std::string obstacle = now == before ? "" : fmt::format("{} now, {} before", now, before);
-  if (options.time_margin && !(turns && obstacle.empty()))
+  if (options.time_margin && !(rounds && obstacle.empty()))
     throw std::invalid_argument(fmt::format(
         "not compared: times of {} are {}", label,
         !obstacle.empty() ? obstacle
                           : "of other sessions than before; expected two stores that were solved in alternating rounds "
                             "(cli/gate.sh with OLD), or leave out --time-margin"));
   StudyResults study =
-      study_of_both(baseline, std::move(candidate), options.time_margin ? *turns : std::map<int, int>());
+      study_of_both(baseline, std::move(candidate), options.time_margin ? *rounds : std::map<int, int>());
   RegressionCheck both = check_regression(std::move(study), now_label, before_label, std::move(options), label);
   for (JudgedMetric& metric : both.judged.metrics) {  // times of different sessions are never comparable
     if (!is_time(metric) || both.counts_times()) continue;

@@ -60,7 +60,7 @@ void list_fields(base::Fields& io, ProgramSpec& choice) {
   io.texts("files", choice.files, "further files of the program; if one is edited, its solves are repeated");
   io.whole("memory_mb", choice.memory_mb, {0, 1'000'000},
            "address space that each process of the program may take, on Linux; 0: no limit");
-  io.number("patience_s", choice.timeout, 1, {0, 86400},
+  io.number("timeout_s", choice.timeout, 1, {0, 86400},
             "wall time after which a solve is given up; 0: 20 times stop.seconds, at least 5 s; without that 60 s");
   io.whole("batch", choice.batch, {0, 1000}, "largest number of problems in one message; 0: one by one");
 }
@@ -109,7 +109,7 @@ std::unique_ptr<ChildProcess> launch(const ProgramSpec& choice, const fs::path& 
     const std::string end = child->end_after(failure.kind);
     if (failure.kind != ProcessFailure::Kind::timed_out) throw ProcessFailure{failure.kind, failure.why + end};
     throw ProcessFailure{failure.kind,
-                         fmt::format("it sent no hello within {:g} s ({}); to wait longer, raise patience_s{}", timeout,
+                         fmt::format("it sent no hello within {:g} s ({}); to wait longer, raise timeout_s{}", timeout,
                                      failure.why, end)};
   }
   return child;

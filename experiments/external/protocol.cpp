@@ -107,7 +107,7 @@ std::string Message::text(const Json& object, const char* key) const {
 OptionSpec Message::option(const Json& object) const {
   if (!object.is_object()) fail("options that are objects");
   OptionSpec option{.name = text(object, "name"), .meaning = text(object, "meaning"), .choices = {}};
-  for (const char* key : {"", "solver", "label", "process", "files", "memory_mb", "patience_s", "batch", "population",
+  for (const char* key : {"", "solver", "label", "process", "files", "memory_mb", "timeout_s", "batch", "population",
                           "options", "colour", "if_missing"}) {
     if (option.name == key) fail("options whose \"name\" is not a key of [[solvers]]");
   }

@@ -195,7 +195,7 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
       "drawn, or no [loop]");
   refuse_if(
       study.state == results::CacheState::warm && study.is_chained(), "state",
-      "state is \"hot\", but start = \"previous\", so that a solver makes a run in a row; expected another start");
+      "state is \"warm\", but start = \"previous\", so that a solver makes a run in a row; expected another start");
   refuse_if(study.checker && !study.has_tolerance(), "check",
             "[check] checks answers that reach their target; expected stop.tolerance_cm");
   constexpr double max_solves = 1e8;
@@ -300,7 +300,7 @@ void convert_initial(const TomlReader& reader, Study& study, const Robot& arm) {
 void read_plan(const TomlReader& analysis, Study& study) {
   read_part(analysis, study.plan);
   for (const std::string& metric : study.plan.tie_breakers)
-    refuse_unknown(analysis, {.key = "then", .kind = "metric", .name = metric}, results::default_tie_breakers);
+    refuse_unknown(analysis, {.key = "tie_breakers", .kind = "metric", .name = metric}, results::default_tie_breakers);
   const std::string& control = study.plan.control;
   const bool is_swept = std::ranges::find(study.solvers, control, &SolverEntry::sweep_base) != study.solvers.end();
   if (!control.empty() && !is_swept)

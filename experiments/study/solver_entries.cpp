@@ -22,7 +22,7 @@ using namespace results;
 
 namespace {
 
-constexpr std::array<std::string_view, 2> if_missing_choices{"refuse", "leave_out"};
+constexpr std::array<std::string_view, 2> if_missing_choices{"refuse", "skip"};
 
 // Throws SkippedSolver if the entry may be left out; its library or program is missing for the reason `why`.
 void skip_if_allowed(TomlReader& entry, const std::string& what, const std::string& why) {

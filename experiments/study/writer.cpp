@@ -79,7 +79,7 @@ OrderedJson entry_definition(const SolverEntry& entry) {
   else
     json["solver"] = entry.solver;
   if (entry.population > 0) json["population"] = entry.population;
-  if (entry.if_missing == IfMissing::skip) json["if_missing"] = "leave_out";
+  if (entry.if_missing == IfMissing::skip) json["if_missing"] = "skip";
   for (const auto& [name, setting] : entry.options) {
     std::visit([&](const auto& value) { json["options"][name] = value; }, setting);
   }
@@ -150,7 +150,7 @@ std::optional<Study> original_of(const Study& study) {
 // are compared apart. The arm may differ if the targets are random, so that each row of a table has its own arm; the
 // limits of the arm may then move the initial configuration.
 bool may_differ(const std::string& pointer, const Study& original) {
-  constexpr std::array<std::string_view, 5> free_settings{"/name", "/title", "/seed", "/trace", "/turns"};
+  constexpr std::array<std::string_view, 5> free_settings{"/name", "/title", "/seed", "/trace", "/rounds"};
   constexpr std::array<std::string_view, 3> free_tables{"/analysis/", "/figures/", "/solvers/"};
   const bool is_of_arm = pointer == "/robot" || pointer.starts_with("/initial_deg");
   if (is_of_arm && original.path->name() == "random") return true;
@@ -220,7 +220,7 @@ std::string lines_of_entry(const SolverEntry& entry) {
   if (!entry.colour.empty())
     text += line("colour", toml_string(entry.colour), "colour of the solver in every figure: \"#RRGGBB\"");
   if (entry.if_missing == IfMissing::skip)
-    text += line("if_missing", "'leave_out'", "what to do if the solver was not built: continue without it, or refuse");
+    text += line("if_missing", "'skip'", "what to do if the solver was not built: continue without it, or refuse");
   std::vector<std::string> options;
   for (const auto& [name, setting] : entry.options) {
     const std::string value = text_of(setting);

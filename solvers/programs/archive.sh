@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # archive.sh [STORE [END]]: makes results/published/libraries, what `ikbench run --beside libraries` shows without installing
-# a library, of the studies libraries-ARM-END (hot) of a store (out/libraries/store.sqlite). Of each pose an answer's
+# a library, of the studies libraries-ARM-END (warm) of a store (out/libraries/store.sqlite). Of each pose an answer's
 # status (empty: ok), errors, joint motion, time and, where ikbench counted them, evaluations; a library stands in the first
 # row of its own.
 set -euo pipefail
-here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")") store=${1:-out/libraries/store.sqlite} end=${2-hot}
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")") store=${1:-out/libraries/store.sqlite} end=${2-warm}
 out=$here/../../results/published/libraries
 names=$(printf ", 'libraries-%s${end:+-$end}'" franka_panda kuka_iiwa14 ur5e)
 arms="study IN (${names:2}) AND label NOT IN ('nothing', 'KDL (Newton)')"

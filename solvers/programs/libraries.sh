@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # libraries.sh [ARM...] [--set KEY=VALUE...]: libraries.toml and, where its programs are installed, libraries_cpp.toml on each
 # arm, built in or a file (my_arm.urdf), by default three: after other work and once more with each call made twice in a row,
-# the second timed (-hot). Into OUT (out/libraries); then who solves and how fast (docs/which-library.md). With a name only
+# the second timed (-warm). Into OUT (out/libraries); then who solves and how fast (docs/which-library.md). With a name only
 # that study, once. Before it: install.sh. IKBENCH is the program, if it is not on the PATH.
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")") arms=() code=0 out=${OUT:-out/libraries}
 while (($#)) && [[ $1 != -* ]]; do arms+=("$1") && shift; done
 ((${#arms[@]})) || arms=(franka_panda kuka_iiwa14 ur5e)
-studies=(libraries) states=(first hot)
+studies=(libraries) states=(first warm)
 if [[ " $* " == *" name="* ]]; then
   states=(first)
 elif compgen -G "$here/../../build/libraries/*.cpp/program" >/dev/null; then
@@ -16,7 +16,7 @@ for arm in "${arms[@]}"; do
   for study in "${studies[@]}"; do
     for state in "${states[@]}"; do
       name=${study/_/-}-$(basename "${arm%.*}")
-      [[ $state == first ]] || name+=-hot
+      [[ $state == first ]] || name+=-warm
       "${IKBENCH:-ikbench}" run "$here/$study.toml" --robot "$arm" --set name="$name" --set state="$state" \
         --no-report --out "$out" "$@" || code=$?
     done

@@ -8,14 +8,14 @@ WITH placed AS (
     FROM current_solves AS s JOIN studies ON studies.name = s.study
     AND studies.name LIKE :study || '-' || s.robot || '%' WHERE status <> 'declined')),
 cells AS (
-  SELECT robot || ' ' || state AS called, label, min(iif(place >= 0.5, ms, NULL)) AS half, printf(iif(state = 'hot', '%.2g (%.2g)', '%.2g'),
+  SELECT robot || ' ' || state AS called, label, min(iif(place >= 0.5, ms, NULL)) AS half, printf(iif(state = 'warm', '%.2g (%.2g)', '%.2g'),
     min(iif(place >= 0.5, ms, NULL)), min(iif(place >= 0.95, ms, NULL))) AS cell
   FROM placed GROUP BY robot, label, state)
-SELECT label AS library, coalesce(max(cell) FILTER (WHERE called = 'franka_panda hot'), '-') AS Panda,
-  coalesce(max(cell) FILTER (WHERE called = 'kuka_iiwa14 hot'), '-') AS "iiwa 14",
-  coalesce(max(cell) FILTER (WHERE called = 'ur5e hot'), '-') AS UR5e,
+SELECT label AS library, coalesce(max(cell) FILTER (WHERE called = 'franka_panda warm'), '-') AS Panda,
+  coalesce(max(cell) FILTER (WHERE called = 'kuka_iiwa14 warm'), '-') AS "iiwa 14",
+  coalesce(max(cell) FILTER (WHERE called = 'ur5e warm'), '-') AS UR5e,
   coalesce(max(cell) FILTER (WHERE called = 'franka_panda first'), '-') AS "Panda, first",
   coalesce(max(cell) FILTER (WHERE called = 'kuka_iiwa14 first'), '-') AS "iiwa 14, first",
   coalesce(max(cell) FILTER (WHERE called = 'ur5e first'), '-') AS "UR5e, first"
 FROM cells GROUP BY label
-ORDER BY coalesce(max(half) FILTER (WHERE called = 'franka_panda hot'), max(half) FILTER (WHERE called = 'ur5e hot'), max(half));
+ORDER BY coalesce(max(half) FILTER (WHERE called = 'franka_panda warm'), max(half) FILTER (WHERE called = 'ur5e warm'), max(half));

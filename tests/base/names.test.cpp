@@ -18,6 +18,9 @@ TEST_CASE("a message about an unknown name quotes it, suggests one and lists all
   CHECK(unknown_name("solver", "ik_bta", {"ik_bat", "bat"}) ==
         "unknown solver \"ik_bta\"; did you mean \"ik_bat\"? There are: ik_bat, bat");
   CHECK(unknown_name("solver", std::string(100000, 'x'), {"bat"}).size() < 200);
+  CHECK(unknown_name("key", "then", {"metric", "tie_breakers"}) == "then is now called tie_breakers");
+  CHECK(did_you_mean("hot", {"first", "warm"}) == "; hot is now called warm");
+  CHECK(contains(unknown_name("key", "turns", {"radius_cm"}), "unknown key"));  // of a circle
 }
 
 TEST_CASE("a text is cut between characters", "[names]") {

@@ -7,12 +7,12 @@ cp "$scripts"/programs/faulty.py "$root"/{solvers/helpers/ikbench,docs/examples/
 of() { entry "$1" "$2" "batch = $3" "${4:-60}"; }
 batches() { # NAME ENTRY...
   study "$@"
-  sed -i '1i start = "middle"\nturns = 1' "$1.toml"
+  sed -i '1i start = "middle"\nrounds = 1' "$1.toml"
 }
 
 # A batch entry beside a single one: the same answers, compared; times apart.
 batches both "$(entry single fine)" "$(of batch fine 5)" "$(of large fine 1000)" "$(of one fine 1)"
-succeeds run both.toml --set turns=6 --figures none --out both --json
+succeeds run both.toml --set rounds=6 --figures none --out both --json
 for label in batch large one; do
   equal "answers of $label" "$(column both/store.sqlite position_error_cm $label)" "$(column both/store.sqlite position_error_cm single)"
 done

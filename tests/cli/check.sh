@@ -5,18 +5,18 @@ cp "$scripts/programs/checking.py" "$root"/{solvers/helpers/ikbench,docs/example
 
 # checked NAME FAULT [LINES]: a study with a check of this fault.
 checked() {
-  printf 'robot = "ur5e"\nsearch = "pose"\nruns = 24\nturns = 1\n%s\n' "${3:-start = \"random\"
+  printf 'robot = "ur5e"\nsearch = "pose"\nruns = 24\nrounds = 1\n%s\n' "${3:-start = \"random\"
 [path]
 kind = \"random\"
 points = 1}" >"$1.toml"
-  printf '[stop]\nevaluations = 10000\niterations = 10000\ntolerance_cm = 0.001\ntolerance_deg = 0.001\n[check]\nprocess = ["python3", "checking.py", "%s"]\nsmaller = ["lean"]\npatience_s = 1\n' "$2" >>"$1.toml"
+  printf '[stop]\nevaluations = 10000\niterations = 10000\ntolerance_cm = 0.001\ntolerance_deg = 0.001\n[check]\nprocess = ["python3", "checking.py", "%s"]\nsmaller = ["lean"]\ntimeout_s = 1\n' "$2" >>"$1.toml"
   printf '[[solvers]]\nsolver = "levenberg_marquardt"\nlabel = "LM"\n[[solvers]]\nsolver = "damped_least_squares"\nlabel = "DLS"\n' >>"$1.toml"
 }
 statuses() { sqlite3 "$1/store.sqlite" "SELECT status, count(*) FROM current_solves GROUP BY status" | paste -sd' '; }
 
 # Answers are those without it; it refuses by what it sees alone.
 checked mine fine
-sed '/^\[check\]/,/^patience/d' mine.toml >plain.toml
+sed '/^\[check\]/,/^timeout/d' mine.toml >plain.toml
 for name in plain mine; do succeeds run $name.toml --figures none --out $name; done
 has "$(<mine/report.md)" "Rejected by the check: left "
 equal "answers" "$(sqlite3 mine/store.sqlite "ATTACH 'plain/store.sqlite' AS plain; SELECT count(*) FROM solves AS one
@@ -82,20 +82,20 @@ checked wrong "says no hello"; refused "it ended" run wrong.toml --no-report --o
 sed -i 's/, "says no hello"//; s/checking.py/nowhere.py/' wrong.toml; refused "nowhere.py" run wrong.toml --no-report --out hello
 sed -i '/^process/d' wrong.toml; refused "process" run wrong.toml --no-report --out hello
 
-# A chain goes on from an answer that is invalid; a check comes behind both calls of hot ones; an example.
+# A chain goes on from an answer that is invalid; a check comes behind both calls of warm ones; an example.
 checked chain fine 'start = "previous"
 [path]
 kind = "helix"
 points = 5'
 succeeds run chain.toml --no-report --out chain --set runs=2
 succeeds verify chain/store.sqlite
-checked hot fine 'state = "hot"
+checked warm fine 'state = "warm"
 start = "random"
 [path]
 kind = "random"
 points = 1'
-succeeds run hot.toml --no-report --out hot
-equal "hot" "$(statuses hot)" "$(statuses merged)"
+succeeds run warm.toml --no-report --out warm
+equal "warm" "$(statuses warm)" "$(statuses merged)"
 sed -e 's/"checking.py", "fine"/"manipulability.py", "0.02"/; s/^smaller.*/larger = ["manipulability"]\nfiles = ["ikbench.py"]/' mine.toml >example.toml
 succeeds run example.toml --figures none --out example
 has "$(<example/report.md)" "near a singularity"

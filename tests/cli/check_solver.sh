@@ -7,8 +7,8 @@ cp "$scripts/programs/planted.py" .
 # A fault, and words of each check that fails with it. A budget of 50 ms says nothing on a busy machine, except with the
 # fault "late". They mostly wait, so four at a time; only who hangs is given up soon.
 cp "$scripts/programs/planted.faults" table
-cut -d'|' -f1 table | xargs -P 4 -I{} env FAULT={} bash -c '[ $FAULT = hangs ] && patience=20 || patience=60
-  "$0" check-solver --patience $patience -- python3 planted.py >$FAULT.said 2>$FAULT.err; echo $? >$FAULT.code' "$program"
+cut -d'|' -f1 table | xargs -P 4 -I{} env FAULT={} bash -c '[ $FAULT = hangs ] && timeout=20 || timeout=60
+  "$0" check-solver --timeout $timeout -- python3 planted.py >$FAULT.said 2>$FAULT.err; echo $? >$FAULT.code' "$program"
 python3 "$scripts/programs/failed.py" <table || fail "see above: $(cat ./*.err)"
 has "$(<good.said)" "All 11 checks passed"
 [[ $(<good.said) =~ some\ of\ the\ [0-9]+\ poses\ that\ LM\ solves:\ [0-9]+\ within ]] || fail "counted twice: $(<good.said)"

@@ -120,7 +120,7 @@ study() {
 }
 
 # entry LABEL FAULT [FURTHER KEYS [PATIENCE]]: faulty.py in a study; who answers is not given up, however busy the machine is.
-entry() { printf '[[solvers]]\nlabel = "%s"\nprocess = ["python3", "faulty.py", "%s"]\npatience_s = %s\n%s\n' "$1" "$2" "${4:-60}" "${3:-}"; }
+entry() { printf '[[solvers]]\nlabel = "%s"\nprocess = ["python3", "faulty.py", "%s"]\ntimeout_s = %s\n%s\n' "$1" "$2" "${4:-60}" "${3:-}"; }
 
 # column STORE NAME LABEL: the values of a solver's rows.
 column() {

@@ -98,11 +98,11 @@ cp ikbench-gate/store.sqlite baseline.sqlite
 gate 0 passed OUT=same STRICT=true
 [ -s same/verdict.md ] && cmp same/verdict.md summary.md || fail "no verdict in the summary: $(<summary.md)"
 refused 'alternating rounds' compare $base $again --time-margin 10%
-code=0  # 3 where the machine was slower in one's turns, 1 where it was busy
-OUT=turns OLD=$program TURNS=6 BASELINE='' bash "$root/cli/gate.sh" >.out 2>.err || code=$?
+code=0  # 3 where the machine was slower in one's rounds, 1 where it was busy
+OUT=rounds OLD=$program ROUNDS=6 BASELINE='' bash "$root/cli/gate.sh" >.out 2>.err || code=$?
 [[ $code == [03] ]] || [[ $code = 1 && $(<.out) == *'time (not comparable)'* ]] || fail "two programs in turn: exit code $code, and said $(<.out) $(<.err)"
-equal "solves of the old program" "$(column turns/before/store.sqlite evaluations mine)" "$(column turns/store.sqlite evaluations mine)"
-gate 1 failed OUT=turns OLD="$program" TURNS=1000
+equal "solves of the old program" "$(column rounds/before/store.sqlite evaluations mine)" "$(column rounds/store.sqlite evaluations mine)"
+gate 1 failed OUT=rounds OLD="$program" ROUNDS=1000
 sed 's/errors := problem.evaluate(swarm):/told := problem.evaluate(3 * swarm):\n        errors = told[:size]/' "$pso" >mine.py
 gate 3 worse OUT=thrice MARGIN=10%
 gate 0 passed OUT=thrice METRIC=solved
@@ -113,7 +113,7 @@ gate 1 failed STUDY=shorter.toml OUT=shorter
 gate 1 failed STUDY=none.toml OUT=none GITHUB_ACTIONS=true
 [[ $(head -n 1 .out) == ::stop-commands::???* && $(tail -n 1 .out) == "::$(head -n 1 .out | cut -d : -f 5)::" ]] ||
   fail "a label may command the forge: $(<.out)"
-for input in STRICT=yes STUDY= BASELINE=ikbench-gate/../ikbench-gate/store.sqlite; do gate 1 failed $input; done
+for input in TURNS=6 STRICT=yes STUDY= BASELINE=ikbench-gate/../ikbench-gate/store.sqlite; do gate 1 failed $input; done
 ln -s nowhere dangling.sqlite
 gate 1 failed BASELINE=dangling.sqlite OUT=-x
 has "$(<.err)" dangling.sqlite

@@ -14,7 +14,7 @@ entries=()
 add() {
   [ "$(wc -l <"$1")" -lt 50 ] || fail "$1 has 50 lines or more"
   entries+=("$(printf '[[solvers]]\nlabel = "%s"\nprocess = [%s]\n' "$1" "$2")")
-  succeeds check-solver --patience 20 -- ${*:3}
+  succeeds check-solver --timeout 20 -- ${*:3}
 }
 add pso.py '"python3", "pso.py"' python3 pso.py
 add descent.py '"python3", "descent.py"' python3 descent.py
@@ -67,7 +67,7 @@ kdl=
 for python in python3 /usr/bin/python3; do
   $python -c 'import PyKDL' 2>/dev/null || continue
   cp "$root/solvers/programs/kdl.py" .
-  succeeds check-solver --patience 20 -- $python kdl.py
+  succeeds check-solver --timeout 20 -- $python kdl.py
   study library "$(printf '[[solvers]]\nlabel = "KDL"\nprocess = ["%s", "kdl.py"]\n' "$python")"
   library=(run library.toml --no-report --set robot=ur5e.urdf --set search=pose --set start=near --set stop.iterations=100
     --set stop.tolerance_cm=0.01 --set stop.tolerance_deg=0.1)

@@ -69,7 +69,7 @@ equal "solves without a time, after the third" "$(column falls/store.sqlite seco
 study changing '[[solvers]]' 'label = "changing"' 'process = ["python3", "changing.py"]'
 ends 2 run changing.toml --no-report --out changing
 has "$err" "changed while it ran"
-runs stuck "$(printf '[[solvers]]\nlabel = "stuck"\nprocess = ["python3", "stuck.py", "of-%s"]\npatience_s = 0.1\n' $$)"
+runs stuck "$(printf '[[solvers]]\nlabel = "stuck"\nprocess = ["python3", "stuck.py", "of-%s"]\ntimeout_s = 0.1\n' $$)"
 is stuck stuck "16 timed_out"
 equal "stuck programs left" "$(pgrep -f "stuck.py of-$$\$" | wc -l)" 0
 
@@ -183,7 +183,7 @@ succeeds run several.toml --figures none --set stop.tolerance_cm=1000 --set name
 equal "right answers" "$(column rightly/store.sqlite extra_answers_right several | counted)" "16 3"
 
 # A program that does not start may be left out.
-study missing "$(entry there fine)" '[[solvers]]' 'label = "gone"' 'process = ["false"]' 'if_missing = "leave_out"'
+study missing "$(entry there fine)" '[[solvers]]' 'label = "gone"' 'process = ["false"]' 'if_missing = "skip"'
 succeeds run missing.toml --no-report --out missing
 has "$err" "gone"
 equal "solvers" "$(sqlite3 missing/store.sqlite "SELECT group_concat(label) FROM series")" "DLS,there"

@@ -36,7 +36,7 @@ INSERT INTO said VALUES
   ('ur5e', 'nothing', 1, 'ok', '[1]', '[1]');
 CREATE VIEW current_solves AS
   SELECT 'libraries-' || robot AS study, *, 1 AS point, once AS answer_rad FROM said
-  UNION SELECT 'libraries-' || robot || '-hot', *, 1, again FROM said;
+  UNION SELECT 'libraries-' || robot || '-warm', *, 1, again FROM said;
 END
 equal "who solves" "$(sqlite3 store.sqlite <"$root/solvers/programs/who.sql" | paste -sd' ')" "B|||2|2, 2|2/2 A|||1|1, 1|0/1"
 equal "who answers otherwise" "$(sqlite3 store.sqlite <"$root/solvers/programs/again.sql")" "libraries-ur5e|B|1|2"

@@ -21,7 +21,7 @@ succeeds "${study[@]}" --out twice
 # A program that empties the store: the run counts what is there.
 cp "$scripts/programs/thief.py" .
 {
-  printf 'name = "robbed"\nrobot = "ur5e"\nsearch = "all_joints"\nruns = 3\nturns = 1\npath = { kind = "random", points = 3 }\n'
+  printf 'name = "robbed"\nrobot = "ur5e"\nsearch = "all_joints"\nruns = 3\nrounds = 1\npath = { kind = "random", points = 3 }\n'
   printf 'stop = { iterations = 5 }\nsolvers = [{ label = "BA", solver = "bat" }, { label = "thief", process = ["python3", "thief.py"] }]\n'
 } >robbed.toml
 code=0; "$program" run robbed.toml --no-report --out robbed >.out 2>.err || code=$?

@@ -67,7 +67,7 @@ equal "solves" "$(solves changed/store.sqlite)" 9
 
 # Programs run only if the user says so, and are named before.
 cp "$root"/{solvers/helpers/ikbench,docs/examples/pso}.py .
-printf '[[solvers]]\nlabel = "a program"\nprocess = ["python3", "pso.py"]\nfiles = ["ikbench.py"]\npatience_s = 70\noptions = { w = 0.5 }\n' |
+printf '[[solvers]]\nlabel = "a program"\nprocess = ["python3", "pso.py"]\nfiles = ["ikbench.py"]\ntimeout_s = 70\noptions = { w = 0.5 }\n' |
   cat poses.toml - >programs.toml
 succeeds run programs.toml "${small[@]}" --out programs
 for command in "verify programs/store.sqlite" "report programs/store.sqlite --figures none --out shown"; do

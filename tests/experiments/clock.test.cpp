@@ -73,9 +73,9 @@ TEST_CASE("a solve is one timed call, and says under what circumstances its time
 
 TEST_CASE("a study is done in sessions, in each of which all solvers have the same targets, and a shard in one",
           "[clock]") {
-  for (const auto& [points, turns, sessions] : {std::tuple(12, 6, 6), {4, 6, 4}, {12, 1, 1}, {13, 3, 3}}) {
+  for (const auto& [points, rounds, sessions] : {std::tuple(12, 6, 6), {4, 6, 4}, {12, 1, 1}, {13, 3, 3}}) {
     Study study = study_of_calls(points);
-    study.turns = turns;
+    study.rounds = rounds;
     ScratchStore store;
     run(study, store, {});
     const auto places = places_in(store, study);
@@ -91,7 +91,7 @@ TEST_CASE("a study is done in sessions, in each of which all solvers have the sa
 
 TEST_CASE("all solvers solve a target before the next, and take turns at being first", "[clock]") {
   Study study = study_of_calls(8);
-  study.turns = 2;
+  study.rounds = 2;
   ScratchStore store;
   run(study, store, {});
   constexpr std::size_t warm_ups = 6, solves = 8;  // of both, in each session
@@ -108,14 +108,14 @@ TEST_CASE("all solvers solve a target before the next, and take turns at being f
   CHECK((first == "ababbaba" || first == "babaabab"));
 }
 
-TEST_CASE("hot is the second call, after one on another target", "[clock]") {
+TEST_CASE("warm is the second call, after one on another target", "[clock]") {
   Study study = study_of_calls(5);
-  study.turns = 1;
+  study.rounds = 1;
   study.state = CacheState::warm;
   study.solvers.pop_back();
   ScratchStore store;
   run(study, store, {});
-  CHECK(store.sessions().front().environment.at("state") == "hot");
+  CHECK(store.sessions().front().environment.at("state") == "warm");
   const std::vector<Pose> poses = targets_of_run(study, 1);
   std::vector<double> asked, expected;
   for (const auto& [name, x] : Calls::all) asked.push_back(x);
@@ -132,7 +132,7 @@ TEST_CASE("hot is the second call, after one on another target", "[clock]") {
 TEST_CASE("a stop cuts one session, and all others have the same targets of all solvers", "[clock]") {
   for (const std::int64_t solves : {1, 3, 4, 7}) {
     Study study = study_of_calls(12);
-    study.turns = 3;
+    study.rounds = 3;
     ScratchStore store;
     std::atomic<bool> cancelled{false};
     const auto look = [&](const Progress& now) { cancelled = now.done >= solves; };
@@ -147,7 +147,7 @@ TEST_CASE("a stop cuts one session, and all others have the same targets of all 
 
 TEST_CASE("a class that remembers is told of", "[clock]") {
   Study study = study_of_calls(20);
-  study.turns = 1;
+  study.rounds = 1;
   ScratchStore store;
   Recorded<'a'>::shift = 1;
   const Progress progress = run(study, store, {});

@@ -13,7 +13,7 @@ std::vector<std::string> departures(const Overrides& overrides, const std::strin
 TEST_CASE("the paper's study under another seed, name or title is the paper's study; one of no paper departs from none",
           "[study]") {
   CHECK(departures({}).empty());
-  CHECK(departures({"seed=2", "name=again", "title=Once more", "trace=best_error", "turns=2"}).empty());
+  CHECK(departures({"seed=2", "name=again", "title=Once more", "trace=best_error", "rounds=2"}).empty());
   CHECK(departures({"analysis.significance=0.01", "analysis.control=IK-BA"}).empty());  // no number of a solve
   CHECK(departures({"published=", "runs=5"}).empty());
 }

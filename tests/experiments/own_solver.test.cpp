@@ -52,7 +52,7 @@ class Faulty final : public Solver {
 // Returns a study with four solves of the faulty solver.
 Study study_of_faulty(const std::string& search) {
   Study study = read("search = '" + search +
-                     "'\nstart = 'initial'\nruns = 1\nturns = 1\npath = { kind = 'circle', points = 4 }\n"
+                     "'\nstart = 'initial'\nruns = 1\nrounds = 1\npath = { kind = 'circle', points = 4 }\n"
                      "stop = { iterations = 3 }\nsolvers = [{ solver = 'random_search' }]\n");
   const std::vector<Pose> poses = targets_of_run(study, 1);
   Faulty::middle = {Faulty::place_of(poses[1]), Faulty::place_of(poses[2])};

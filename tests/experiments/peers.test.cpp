@@ -8,12 +8,12 @@ const std::string own_entry = "[[solvers]]\nsolver = \"ik_bat\"\n";
 }  // namespace
 
 TEST_CASE("an entry says whether the study goes on where its solver was not built", "[study][peers]") {
-  const Study study = read(own_entry + "if_missing = \"leave_out\"\n");
+  const Study study = read(own_entry + "if_missing = \"skip\"\n");
   CHECK(study.solvers.front().if_missing == IfMissing::skip);
   CHECK(study.skipped.empty());
   CHECK(read(to_toml(study)).solvers.front().if_missing == IfMissing::skip);
   CHECK(series_key(study, study.solvers.front()) == series_key(read(own_entry), read(own_entry).solvers.front()));
-  CHECK_THROWS_WITH(read(own_entry + "if_missing = \"skip\"\n"), ContainsSubstring("one of \"refuse\", \"leave_out\""));
+  CHECK_THROWS_WITH(read(own_entry + "if_missing = \"never\"\n"), ContainsSubstring("one of \"refuse\", \"skip\""));
 }
 
 TEST_CASE("a study that names a peer that was not built is refused, or goes on without it if it says so",
@@ -24,7 +24,7 @@ TEST_CASE("a study that names a peer that was not built is refused, or goes on w
     const std::string said = statements_of(entry + own_entry);
     CHECK(said.starts_with("my.toml:2"));
     CHECK(contains(said, peer.how));
-    const Study without = read(entry + "if_missing = \"leave_out\"\n" + own_entry);
+    const Study without = read(entry + "if_missing = \"skip\"\n" + own_entry);
     REQUIRE(without.skipped.size() == 1);
     CHECK(without.skipped.front().label == "theirs");
     CHECK(without.skipped.front().reason == peer.how);

@@ -582,7 +582,7 @@ TEST_CASE("every solve knows its session, and the session its machine and its jo
   ScratchStore scratch;
   Study study = small_study();
   run_for(study, scratch, 4);
-  study.turns = 1;
+  study.rounds = 1;
   study.skipped = {{"theirs", "it was not built"}};
   run(study, scratch, {.jobs = 2});
   const std::vector<results::Session> sessions = scratch.sessions();

@@ -87,7 +87,7 @@ TEST_CASE("each field of a study decides the series, unless the list of fields s
     INFO(changer.changed);
     CHECK(all_keys_of(study) == all_keys_of(plain));
   }
-  CHECK(without_numbers == std::set<std::string>{"name", "title", "published", "runs", "turns"});
+  CHECK(without_numbers == std::set<std::string>{"name", "title", "published", "rounds", "runs"});
 }
 
 TEST_CASE("each field of each kind of path decides the series", "[series][path]") {

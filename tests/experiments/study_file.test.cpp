@@ -294,7 +294,7 @@ TEST_CASE("a study says how it will be judged, by default by ranks at 5 %, the p
   CHECK(study.plan == AnalysisPlan());
   CHECK(nlohmann::json::parse(to_json(study))["analysis"] ==
         nlohmann::json::parse(R"({"test": "ranks", "values": "runs", "metric": "", "control": "", "significance": 0.05,
-          "margin_percent": 5.0, "deadline_ms": 0.0, "then": ["time", "evaluations"]})"));
+          "margin_percent": 5.0, "deadline_ms": 0.0, "tie_breakers": ["time", "evaluations"]})"));
   for (const Study& built_in : built_in_studies()) {
     INFO(built_in.name);
     CHECK(built_in.plan == (built_in.name.starts_with("slim2023")

@@ -65,7 +65,7 @@ TEST_CASE("The plan's test, level, margin and control reach the comparison") {
 }
 
 TEST_CASE("Means that few values decide are told") {
-  const Asked means{.runs = 8, .rest = R"(, "analysis": {"test": "means", "significance": 0.2, "then": []})"};
+  const Asked means{.runs = 8, .rest = R"(, "analysis": {"test": "means", "significance": 0.2, "tie_breakers": []})"};
   const JudgedMetric error = metric(judge::judge(study(means,
                                                        [](SolveRecord& solve) {
                                                          solve.position_error_cm = solve.label == "A" ? 0.01 * solve.run

@@ -192,11 +192,11 @@ TEST_CASE("times of two that solved in turn decide; too few turns and other sess
   StudyResults whole = in_turns(6, 0, 1e-5);  // a study's own turns are those of no other
   for (results::Session& session : whole.sessions) session.environment.erase("shard");
   CHECK_THROWS_AS(check_regression(whole, in_turns(6, 1, 1e-5), {.time_margin = 0.1}), std::invalid_argument);
-  StudyResults hot = in_turns(6, 0, 1e-5);
-  for (results::Session& session : hot.sessions) session.environment["state"] = "hot";
-  CHECK_THROWS_WITH(check_regression(hot, in_turns(6, 1, 1e-5), {.time_margin = 0.1}),
+  StudyResults warm = in_turns(6, 0, 1e-5);
+  for (results::Session& session : warm.sessions) session.environment["state"] = "warm";
+  CHECK_THROWS_WITH(check_regression(warm, in_turns(6, 1, 1e-5), {.time_margin = 0.1}),
                     ContainsSubstring("second calls on a target before"));
-  const RegressionCheck told = gate_of(hot, in_turns(6, 1, 1e-5));
+  const RegressionCheck told = gate_of(warm, in_turns(6, 1, 1e-5));
   const auto time = std::ranges::find(told.judged.metrics, "s", [](auto& each) { return each.samples.unit; });
   REQUIRE(time->samples.warnings.size() == 1);
   CHECK_THAT(warning_text(time->samples.warnings.front()), ContainsSubstring("second calls on a target before"));
@@ -252,7 +252,7 @@ TEST_CASE("what the plan names decides, and what it does not name is told") {
   CHECK(gate_of(version(1, of_100, far), version(1)).quantities(RegressionOutcome::better, false) ==
         Names{"joint motion"});
   Asked with_motion = of_100;
-  with_motion.rest = R"(, "analysis": {"then": ["time", "evaluations", "motion"]})";
+  with_motion.rest = R"(, "analysis": {"tie_breakers": ["time", "evaluations", "motion"]})";
   const RegressionCheck named = gate_of(version(1, with_motion), version(1, with_motion, far));
   CHECK(named.quantities(RegressionOutcome::worse) == Names{"joint motion"});
   CHECK(named.quantities(RegressionOutcome::worse, false).empty());
@@ -261,12 +261,13 @@ TEST_CASE("what the plan names decides, and what it does not name is told") {
 
 TEST_CASE("no more metrics decide than share the significance") {
   Asked by_evaluations = of_100;
-  by_evaluations.rest = R"(, "analysis": {"metric": "evaluations", "then": ["time"]})";
+  by_evaluations.rest = R"(, "analysis": {"metric": "evaluations", "tie_breakers": ["time"]})";
   const auto triple = [](SolveRecord& solve) { solve.evaluations *= 3; };
   const RegressionCheck gate = gate_of(version(1, by_evaluations), version(1, by_evaluations, triple));
   CHECK(gate.quantities(RegressionOutcome::worse) == Names{"evaluations"});
   CHECK(gate.quantities(RegressionOutcome::worse, false) == Names{"evaluations per success"});
-  for (const char* plan : {R"("then": [])", R"("then": ["motion", "time"])", R"("metric": "seconds")", ""}) {
+  for (const char* plan :
+       {R"("tie_breakers": [])", R"("tie_breakers": ["motion", "time"])", R"("metric": "seconds")", ""}) {
     Asked asked = of_100;
     asked.rest = fmt::format(R"(, "analysis": {{{}}})", plan);
     const JudgedStudy of = judge::judge(version(1, asked));

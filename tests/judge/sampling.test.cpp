@@ -565,7 +565,7 @@ TEST_CASE("what attempts spent is by what they solved, and the spread of its par
                         .runs = 100,
                         .points = 1,
                         .tolerance_cm = 0.1,
-                        .rest = R"(, "analysis": {"then": []})"};
+                        .rest = R"(, "analysis": {"tie_breakers": []})"};
   const StudyResults of = study(drawn_100, [](SolveRecord& solve) {
     const bool fails = solve.label == "A" && solve.run % 5 == 0;
     solve.status = fails ? Status::tolerance_missed : Status::ok;

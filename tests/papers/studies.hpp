@@ -44,7 +44,7 @@ inline judge::JudgedStudy study_of(const Made& made, const Change& change = {}) 
                            .points = made.points,
                            .rest = fmt::format(R"(, "published": "{}", "robot": "{}", "search": "wrist",
           "path": {{"kind": "{}", "targets": "fixed"}}, "stop": {{"tolerance_cm": {}, "iterations": 200}},
-          "analysis": {{"then": []}})",
+          "analysis": {{"tie_breakers": []}})",
                                                made.paper, made.robot, made.path, made.tolerance_cm)};
   const auto as_in_paper = [&](SolveRecord& solve) {
     solve.target_position_m = {0.1 * solve.point, 0, 0};

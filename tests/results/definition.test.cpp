@@ -48,6 +48,8 @@ TEST_CASE("A member that lacks keeps its default") {
 TEST_CASE("A member of another type is refused by its name") {
   CHECK_THROWS_WITH(parse_definition(R"({"name": "mine", "runs": "many"})"),
                     ContainsSubstring("study mine: runs is \"many\"; expected a whole number"));
+  CHECK_THROWS_WITH(parse_definition(R"({"name": "mine", "analysis": {"then": []}})"),
+                    ContainsSubstring("study mine: then is now called tie_breakers"));
   for (const char* text : {"", "[]", "4", "{", R"({"title": 4})", R"({"points": -3})", R"({"runs": 99999999999})",
                            R"({"path": []})", R"({"departures": ["limits", 4]})", R"({"stop": {"seconds": "1"}})",
                            R"({"analysis": {"test": 3}})", R"({"figures": {"colours": {"B": 3}}})",

@@ -219,7 +219,7 @@ TEST_CASE("the difference of two definitions names the field, and values that fi
   CHECK(difference_in_solves(with_tip("", "tool0"), with_tip("tool0", "tool0")).empty());
   CHECK(difference_in_solves(with_tip("", "tool0"), with_tip("flange", "flange")) ==
         R"(arm.tip_link is "tool0" and "flange")");
-  for (const char* key : {"figures", "name", "published", "title", "turns", "unreachable_targets"})
+  for (const char* key : {"figures", "name", "published", "rounds", "title", "unreachable_targets"})
     CHECK(difference_in_solves(fmt::format(R"({{"{}":1}})", key), R"({})").empty());
 }
 

@@ -201,7 +201,7 @@ std::string timed_calls_text(const StudyResults& study) {
   const std::set<std::string> states = environment_values(study, "state");
   if (states.empty()) return "";
   if (states.contains("first")) return "first calls on a target";
-  if (states.contains("hot")) return "second calls on a target";
+  if (states.contains("warm")) return "second calls on a target";
   return "calls in the order of the runs";
 }
 
