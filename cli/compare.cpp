@@ -176,6 +176,11 @@ unsigned findings_of(const RegressionCheck& check) {
   return found;
 }
 
+// Returns how a sentence names the baseline: by its label, or "the baseline" if it is another store.
+std::string baseline_name(const RegressionCheck& check) {
+  return check.label.empty() ? check.baseline : "the " + check.baseline;
+}
+
 // Returns "joint motion is" or "error and joint motion are".
 std::string with_verb(const std::vector<std::string>& quantities) {
   const std::string all = show::listed(quantities);
@@ -191,7 +196,7 @@ std::string relation_sentence(const RegressionCheck& check, const std::string& c
   const std::string failed = base::counted(check.new_failures, "new failures") + " (no answer)";
   const std::vector<std::string> unclear = check.quantities(RegressionOutcome::inconclusive);
   std::string text = fmt::format(
-      fmt::runtime(chosen.sentence), fmt::arg("candidate", candidate), fmt::arg("baseline", check.baseline),
+      fmt::runtime(chosen.sentence), fmt::arg("candidate", candidate), fmt::arg("baseline", baseline_name(check)),
       fmt::arg("worse", show::listed(check.quantities(RegressionOutcome::worse))),
       fmt::arg("better", show::listed(check.quantities(RegressionOutcome::better))), fmt::arg("failures", failed),
       fmt::arg("unclear", with_verb(unclear)), fmt::arg("any", show::listed(unclear, " or ")));
@@ -203,7 +208,7 @@ std::string relation_sentence(const RegressionCheck& check, const std::string& c
 std::string verdict_text(const RegressionCheck& check, const show::ReportModel& answer) {
   const std::string& candidate = check.label.empty() ? check.candidate : check.label;
   if (!check.is_compared)
-    return fmt::format("{} is not compared with {}: {}.", candidate, check.baseline,
+    return fmt::format("{} is not compared with {}: {}.", candidate, baseline_name(check),
                        not_tested_text(answer, check.judged.metrics[check.judged.primary]));
   std::string text = relation_sentence(check, candidate);
   if (check.has(RegressionOutcome::worse_below_margin))
@@ -322,10 +327,10 @@ base::OrderedJson make_json(const std::vector<RegressionCheck>& checks, int code
     const show::ReportModel answer = make_report_model(check);
     base::OrderedJson report = show::to_json(answer);
     report["tests"] = base::OrderedJson::array();  // no omnibus test, because a check has two solvers
-    for (const char* rows : {"groups", "findings"}) {
+    for (const char* rows : {"groups", "comparisons"}) {
       for (auto& row : report[rows]) row["label"] = label;
     }
-    for (auto& warning : report["doubts"]) warning = label + ": " + warning.get<std::string>();
+    for (auto& warning : report["warnings"]) warning = label + ": " + warning.get<std::string>();
     if (may_differ(check)) sentences.push_back(answer.verdict);
     report["metric"] = {{label, report["metric"]}};
     for (const auto& [member, value] : report.items()) {
@@ -337,13 +342,13 @@ base::OrderedJson make_json(const std::vector<RegressionCheck>& checks, int code
         json[member] = value;
     }
     json["worse"][label] = check.quantities(RegressionOutcome::worse);
-    json["newly_missing"][label] = check.new_failures;
-    json["lost"][label] = check.newly_unsolved;
-    json["won"][label] = check.newly_solved;
+    json["new_failures"][label] = check.new_failures;
+    json["newly_unsolved"][label] = check.newly_unsolved;
+    json["newly_solved"][label] = check.newly_solved;
     json["better"][label] = check.quantities(RegressionOutcome::better);
     json["also_worse"][label] = check.quantities(RegressionOutcome::worse, false);
     json["also_better"][label] = check.quantities(RegressionOutcome::better, false);
-    json["undecided"][label] = check.quantities(RegressionOutcome::inconclusive);
+    json["inconclusive"][label] = check.quantities(RegressionOutcome::inconclusive);
     json["not_tested"][label] = check.quantities(RegressionOutcome::not_tested);
   }
   if (const std::string same = identical_text(checks); !same.empty()) sentences.push_back(same);

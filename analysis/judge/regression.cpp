@@ -15,7 +15,7 @@ namespace {
 
 using namespace results;
 
-constexpr const char *now_label = "now", *before_label = "before";
+constexpr const char *candidate_label = "candidate", *baseline_label = "baseline";
 
 // Throws std::invalid_argument, which names the first difference, if the candidate solved another task.
 void refuse_other_task(const StudyResults& baseline, const StudyResults& candidate) {
@@ -59,7 +59,7 @@ std::optional<std::map<int, int>> matching_sessions(const std::vector<Session>& 
 // Returns both versions as solvers of one study, and takes their solves. Sessions of one round become one session. If
 // `rounds` is empty, no two sessions become one.
 StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std::map<int, int>& rounds) {
-  both.labels = {now_label, before_label};
+  both.labels = {candidate_label, baseline_label};
   both.rejections = {};
   const auto before = both.sessions.empty() ? 0 : static_cast<int>(both.sessions.back().id);
   for (Session& session : std::exchange(baseline.sessions, {})) {
@@ -132,7 +132,7 @@ void refuse_what_the_plan_lacks(const RegressionOptions& options, const StudyDef
 
 // Returns how many answers are missing, if the baseline gave all answers or the candidate gives none; otherwise 0. No
 // test is made, so chance may have caused the missing answers.
-int newly_missing(const JudgedMetric& judged) {
+int count_new_failures(const JudgedMetric& judged) {
   const Descriptives &candidate = judged.descriptives.front(), &baseline = judged.descriptives.back();
   const bool is_new = is_of_answers(judged) && (baseline.mean == 1 || candidate.mean == 0);
   return is_new ? static_cast<int>(std::lround((baseline.mean - candidate.mean) * baseline.n)) : 0;
@@ -261,7 +261,7 @@ std::optional<RegressionOutcome> other_outcome(const JudgedMetric& judged) {
 
 // Adds the outcome of a metric to the check.
 void add_outcome(RegressionCheck& gate, const JudgedMetric& judged) {
-  if (const int missing = newly_missing(judged); missing > 0) {
+  if (const int missing = count_new_failures(judged); missing > 0) {
     gate.new_failures = missing;
     return;
   }
@@ -330,7 +330,7 @@ RegressionCheck check_regression(StudyResults baseline, StudyResults candidate, 
                             "(cli/gate.sh with OLD), or leave out --time-margin"));
   StudyResults study =
       study_of_both(baseline, std::move(candidate), options.time_margin ? *rounds : std::map<int, int>());
-  RegressionCheck both = check_regression(std::move(study), now_label, before_label, std::move(options), label);
+  RegressionCheck both = check_regression(std::move(study), candidate_label, baseline_label, std::move(options), label);
   for (JudgedMetric& metric : both.judged.metrics) {  // times of different sessions are never comparable
     if (!is_time(metric) || both.counts_times()) continue;
     metric.samples.warnings.clear();  // no time decides here, so only the obstacle is shown

@@ -90,22 +90,22 @@ std::string comparison_text(const Comparison& comparison, const JudgedMetric& ju
 
 const VerdictStyle& verdict_words(Verdict verdict) {
   static constexpr std::array<VerdictStyle, 5> all{
-      {{"better", Tone::good}, {"worse", Tone::bad}, {"same"}, {"undecided"}, {"not_tested"}}};
+      {{"better", Tone::good}, {"worse", Tone::bad}, {"same"}, {"inconclusive"}, {"not_tested"}}};
   return all[static_cast<std::size_t>(verdict)];
 }
 
 ReasonTexts reason_words(NotTestedReason why) {
   constexpr std::array<ReasonTexts, 9> all{
-      {{"lost", "values are missing", "values are missing"},
-       {"infinite", "a mean needs finite values", "a mean needs finite values"},
-       {"apart", "not comparable", "not comparable (!)"},
-       {"no_spread", "one has zero spread", "not comparable (!)"},
-       {"none", "one or both solved no target", "no target was solved"},
+      {{"missing_values", "values are missing", "values are missing"},
+       {"infinite_values", "a mean needs finite values", "a mean needs finite values"},
+       {"not_comparable", "not comparable", "not comparable (!)"},
+       {"zero_spread", "one has zero spread", "not comparable (!)"},
+       {"nothing_solved", "one or both solved no target", "no target was solved"},
        {"no_answer", "neither gave an answer", "no answer"},
        {"copies", "each has a single number, which may have been copied; add --run row if each row is a measurement",
         "one number (!)"},
-       {"too_few", "no values to compare", "too few to compare"},
-       {"few_decide", "a few values dominate", "too few to compare"}}};
+       {"sample_too_small", "no values to compare", "too few to compare"},
+       {"dominated", "a few values dominate", "too few to compare"}}};
   return all[static_cast<std::size_t>(why)];
 }
 

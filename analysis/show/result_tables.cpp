@@ -289,11 +289,11 @@ std::vector<std::string> page_notes(const ReportModel& model, const CellKinds& k
 
 // Returns the table of pairs without rows; pair_row makes them.
 Table empty_pairs_table(const ReportModel& model) {
-  Table table{
-      .name = "pairs",
-      .caption = "First solver against second",
-      .columns = named_columns({"metric", "first", "second", "estimate", "interval", "unit", "p", "verdict", "A12",
-                                "ahead", "behind", "g", "g_av", "test", "n", "n that could decide", "size", "reason"})};
+  Table table{.name = "pairs",
+              .caption = "First solver against second",
+              .columns = named_columns({"metric", "first", "second", "estimate", "interval", "unit", "p", "verdict",
+                                        "A12", "share better", "share worse", "g", "g_av", "test", "n", "required n",
+                                        "within margin", "reason"})};
   std::set<double> ends;
   for (const JudgedMetric& judged : model.metrics)
     for (const Comparison& comparison : judged.comparisons) ends.merge(null_and_margin(comparison, judged));
@@ -328,17 +328,17 @@ Cell n_cell(const Comparison& comparison) {
   return {};
 }
 
-// Returns "small" for a difference below the margin and "matters" for another one; empty without a tested difference.
-Cell size_cell(const TestResult* tested) {
-  if (!tested || !is_difference(tested->verdict)) return {};
-  return std::string(tested->is_below_margin ? "small" : "matters");
+// Returns "yes" for a tested difference below the margin; empty for other pairs.
+Cell within_margin_cell(const TestResult* tested) {
+  const bool is_within = tested && is_difference(tested->verdict) && tested->is_below_margin;
+  return text_cell(is_within ? "yes" : "");
 }
 
 // Returns why a pair has no p; empty if it has.
 Cell reason_cell(const Comparison& comparison) {
   if (std::holds_alternative<TestResult>(comparison.result)) return {};
   const auto* const not_tested = std::get_if<NotTested>(&comparison.result);
-  return text_cell(std::string(not_tested ? reason_words(not_tested->reason).key : "certain"));
+  return text_cell(std::string(not_tested ? reason_words(not_tested->reason).key : "deterministic"));
 }
 
 // Returns the complete row of a pair. Readers see the cells up to the verdict.
@@ -366,7 +366,7 @@ std::vector<Cell> pair_row(const Comparison& comparison, const JudgedMetric& jud
           text_cell(std::string(tested ? tested->test : "")),
           n_cell(comparison),
           required_n_cell(comparison),
-          size_cell(tested),
+          within_margin_cell(tested),
           reason_cell(comparison)};
 }
 
@@ -527,6 +527,7 @@ Table descriptives_table(const ReportModel& model) {
       .caption = "By metric and solver",
       .columns = named_columns({"metric", "solver", "n", "mean", "sd", "median", "lower quartile", "upper quartile",
                                 "95 % quantile", "smallest", "largest", "interval", "unit", "missing"})};
+  std::ranges::find(table.columns, "interval", &Column::name)->role = ColumnRole::interval;
   bool is_any_missing = false, is_any_share = false;
   for (const JudgedMetric& judged : model.metrics) {
     const MetricSamples& samples = judged.samples;
@@ -602,9 +603,9 @@ base::OrderedJson to_json(const ReportModel& model) {
           {"metric", model.primary().samples.quantity},
           {"groups", to_json(descriptives_table(model))},
           {"tests", to_json(omnibus_table(model))},
-          {"findings", to_json(pairs)},
+          {"comparisons", to_json(pairs)},
           {"direction", std::move(direction)},
-          {"doubts", std::move(warnings)},
+          {"warnings", std::move(warnings)},
           {"notes", notes}};
 }
 

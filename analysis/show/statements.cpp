@@ -20,8 +20,8 @@ struct TieBreaker {
   std::string_view ert;  // stands in place of `metric` where a target failed
 };
 constexpr std::array known_tie_breakers{
-    TieBreaker{.word = "time", .metric = "time", .ert = "time-per-solved"},
-    TieBreaker{.word = "evaluations", .metric = "evaluations", .ert = "evaluations-per-solved"},
+    TieBreaker{.word = "time", .metric = "time", .ert = "time-per-success"},
+    TieBreaker{.word = "evaluations", .metric = "evaluations", .ert = "evaluations-per-success"},
     TieBreaker{.word = "motion", .metric = "variation", .ert = "slide-variation"}};
 
 // Returns the place of a tie-breaker's metric; nullopt if the word is unknown, no metric is of it or the first one is.

@@ -16,10 +16,10 @@ succeeds run both.toml --set rounds=6 --figures none --out both --json
 for label in batch large one; do
   equal "answers of $label" "$(column both/store.sqlite position_error_cm $label)" "$(column both/store.sqlite position_error_cm single)"
 done
-json '{row["metric"] for row in of["findings"] if {row["first"], row["second"]} == {"single", "batch"} and row["p"] is not None} >= {"position error"}'
-json 'all(row["p"] is None for row in of["findings"] if row["metric"] == "time" and {row["first"], row["second"]} & {"batch", "large", "one"})'
+json '{row["metric"] for row in of["comparisons"] if {row["first"], row["second"]} == {"single", "batch"} and row["p"] is not None} >= {"position error"}'
+json 'all(row["p"] is None for row in of["comparisons"] if row["metric"] == "time" and {row["first"], row["second"]} & {"batch", "large", "one"})'
 json '{row["n"] for row in of["groups"] if row["metric"] == "time" and row["solver"] in ("batch", "large", "one")} <= {0}'
-json 'any("a debug build" in doubt or "batch" in doubt and "in batches" in doubt for doubt in of["doubts"])'
+json 'any("a debug build" in warning or "batch" in warning and "in batches" in warning for warning in of["warnings"])'
 equal "times of a batch" "$(grep '^one' both/tables/batches.csv)" "one,1,5.0,5.0"
 equal "timing" "$(column both/store.sqlite timing batch | counted)" "16 batch"
 succeeds run both.toml --no-report --out whole

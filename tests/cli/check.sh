@@ -39,7 +39,7 @@ succeeds verify merged/store.sqlite
 has "${out//$'\n'/ }" "repeated"
 has_no "$out" "in this version"
 succeeds report merged/store.sqlite --json --figures none
-json 'of["direction"]["lean"] == "smaller" and any(finding["metric"] == "lean" for finding in of["findings"])'
+json 'of["direction"]["lean"] == "smaller" and any(finding["metric"] == "lean" for finding in of["comparisons"])'
 succeeds compare mine/store.sqlite merged/store.sqlite
 has "$out" "bit for bit"
 run_it compare LM DLS --store mine/store.sqlite --json

@@ -19,7 +19,7 @@ succeeds compare $base $again --json
 quiet
 json 'of["exit_code"] == 0 and len(of["worse"]) == 6 and not any(of["worse"].values()) and of["files"] == []'
 ends 3 compare $base $fewer --json
-json 'all(row["metric"] in of["direction"] for row in of["findings"]) and of["metric"].keys() == of["worse"].keys()'
+json 'all(row["metric"] in of["direction"] for row in of["comparisons"]) and of["metric"].keys() == of["worse"].keys()'
 json '[label for label in of["worse"] if "position error" in of["worse"][label]] == ["DE", "PSO", "K-ABC", "MO-PSO"]'
 golden compare-stores
 ends 4 compare $base $fewer --label BA --strict
@@ -41,7 +41,7 @@ program, store = sys.argv[1:3]
 def rows_of(*arguments):
     said = subprocess.run([program, *arguments, "--json"], capture_output=True, text=True).stdout
     rows = {}
-    for row in json.loads(said)["findings"]:
+    for row in json.loads(said)["comparisons"]:
         winner = {"better": row["first"], "worse": row["second"]}.get(row["verdict"], row["verdict"])
         rows[row["metric"], frozenset((row["first"], row["second"]))] = row["p"], row["n"], winner
     return rows

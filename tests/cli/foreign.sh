@@ -49,9 +49,9 @@ equal "moves of solves without an answer" "$(sqlite3 $store "SELECT count(*) FRO
 ends 3 run faults.toml --figures none --out faults --json # since some answer in no solve
 [[ $err == *"years gave no answer in any solve"* ]] || fail "not told: $err"
 equal "solves of a second run" "$(solves $store)" 304
-json 'any("lies" in doubt and "wrong error" in doubt for doubt in of["doubts"])'
+json 'any("lies" in warning and "wrong error" in warning for warning in of["warnings"])'
 ends 3 compare good declines --store $store --json
-json 'of["newly_missing"]["declines"] > 0'
+json 'of["new_failures"]["declines"] > 0'
 
 study silent "$(entry dies dies)" "$(entry declines declines)"
 succeeds run silent.toml --figures none --out silent
@@ -113,7 +113,7 @@ json '[row["mean"] for row in of["groups"] if row["metric"] == "targets solved" 
 study budgets "$(entry boasts boasts)" "$(entry spends spends)" "$(entry on "asks on")"
 more=(--set stop.evaluations=100 --set stop.tolerance_cm=1000 --set runs=12 --set path.points=2)
 succeeds run budgets.toml "${more[@]}" --figures none --out budgets --json
-json 'all(row["p"] is None for row in of["findings"] if row["metric"] == "evaluations" and {row["first"], row["second"]} & {"boasts", "spends"})'
+json 'all(row["p"] is None for row in of["comparisons"] if row["metric"] == "evaluations" and {row["first"], row["second"]} & {"boasts", "spends"})'
 ! column budgets/store.sqlite status boasts | grep -q over_budget || fail "who claims one evaluation is over budget"
 for who in "late late" "budgets spends" "budgets on"; do
   is $who "([0-9] limit_violated )?[12][0-9] over_budget"

@@ -9,8 +9,8 @@ beside=(run mine.toml --robot ur5e --set runs=20 --figures none --beside)
 succeeds "${beside[@]}" libraries --out panda
 has "$out" "another machine"
 equal "what was solved" "$(sqlite3 panda/store.sqlite 'SELECT group_concat(DISTINCT label) FROM current_solves')" "DLS,ikbench's LM"
-json '[each["verdict"] for each in of["findings"] if {"DLS", "EAIK"} == {each["first"], each["second"]} and each["metric"] == "targets solved"] != ["not_tested"]' panda/results.json
-json 'all(each["verdict"] == "not_tested" for each in of["findings"] if "EAIK" in (each["first"], each["second"]) and each["metric"].startswith("time"))' panda/results.json
+json '[each["verdict"] for each in of["comparisons"] if {"DLS", "EAIK"} == {each["first"], each["second"]} and each["metric"] == "targets solved"] != ["not_tested"]' panda/results.json
+json 'all(each["verdict"] == "not_tested" for each in of["comparisons"] if "EAIK" in (each["first"], each["second"]) and each["metric"].startswith("time"))' panda/results.json
 grep -q '^EAIK,' panda/tables/beside.csv || fail "no multiples of EAIK"
 succeeds report panda/store.sqlite --beside libraries --out again --figures none
 cmp panda/tables/results.csv again/tables/results.csv || fail "another report of the same"

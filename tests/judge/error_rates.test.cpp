@@ -33,14 +33,14 @@ struct Row {
   bool in_blocks = false;  // which lie over four decades
   double hard = 0;         // there are blocks, of which the first is so many times as hard as the others
   AnalysisPlan plan = {};
-  int times = 1;  // as many values in the groups after the first; per solved in all
+  int times = 1;  // as many values in the groups after the first; per success in all
   double floor = 1e-300;
   EffectScale scale = EffectScale::ratio;
-  bool is_per_solved = false;  // what is drawn is spent, and a fifth of the targets is not solved
-  double truth = 1;            // the ratio of the first to another
+  bool is_per_success = false;  // what is drawn is spent, and a fifth of the targets is not solved
+  double truth = 1;             // the ratio of the first to another
 };
 
-MetricSamples drawn_per_solved(const Row& row, std::size_t k, int n, Random& random) {
+MetricSamples drawn_per_success(const Row& row, std::size_t k, int n, Random& random) {
   StudyResults study;
   study.definition = results::parse_definition(
       definition({.start = "middle", .targets = "drawn", .runs = n * row.times, .points = 1, .tolerance_cm = 0.1}));
@@ -52,11 +52,11 @@ MetricSamples drawn_per_solved(const Row& row, std::size_t k, int n, Random& ran
                               .status = random.uniform() < 0.2 ? Status::tolerance_missed : Status::ok,
                               .evaluations = std::lround(1000 * row.draw(random, g))});
   }
-  return make_samples(study, metric_named("evaluations_per_solved"));
+  return make_samples(study, metric_named("evaluations_per_success"));
 }
 
 MetricSamples drawn(const Row& row, std::size_t k, int n, Random& random) {
-  if (row.is_per_solved) return drawn_per_solved(row, k, n, random);
+  if (row.is_per_success) return drawn_per_success(row, k, n, random);
   MetricSamples of{.metric = "x",
                    .quantity = "x",
                    .kind = kind_with(row.scale, row.floor),
@@ -149,11 +149,11 @@ std::vector<Row> rows() {
        .draw = failing,
        .floor = 0.01},
       {.name = "found: lognormal, half of the others", .most = printed, .counts = better_than_others, .draw = half},
-      {.name = "false better, per solved: lognormal", .most = 0.056, .draw = lognormal, .is_per_solved = true},
-      {.name = "false better, per solved: one of 20 solves takes 30 times as long",
+      {.name = "false better, per success: lognormal", .most = 0.056, .draw = lognormal, .is_per_success = true},
+      {.name = "false better, per success: one of 20 solves takes 30 times as long",
        .most = 0.056,
        .draw = stalling,
-       .is_per_solved = true},
+       .is_per_success = true},
       {.name = "false better: one block 1000 times as hard, zeros",
        .most = 0.056,
        .draw = with_zeros,
@@ -171,18 +171,18 @@ std::vector<Row> rows() {
        .draw = failing_blocks,
        .hard = 1,
        .plan = by_means},
-      {.name = "interval without the true ratio, per solved, of 25, 50, 100 targets: both lognormal, sigma 1.1",
+      {.name = "interval without the true ratio, per success, of 25, 50, 100 targets: both lognormal, sigma 1.1",
        .most = 0.075,
        .counts = interval_without_truth,
        .draw = both_heavy,
        .times = 5,
-       .is_per_solved = true},
+       .is_per_success = true},
       {.name = "the same: lognormal, sigma 1.1, and equal costs",
        .most = 0.09,
        .counts = interval_without_truth,
        .draw = heavy,
        .times = 5,
-       .is_per_solved = true,
+       .is_per_success = true,
        .truth = std::exp(1.1 * 1.1 / 2)},
       {.name = "Welch's ANOVA below 0.05: equal means, unequal spreads",
        .most = 0.08,

@@ -411,7 +411,7 @@ TEST_CASE("a name of the plan is one family, whichever of its metrics a label ha
   std::vector<RegressionCheck> alone{both.front()}, other{both.back()};
   for (std::vector<RegressionCheck>* const gates : {&both, &alone, &other}) judge_all(*gates);
   CHECK(p_of(both[0], "evaluations") == std::min(1.0, 2 * p_of(alone[0], "evaluations")));
-  CHECK(p_of(both[1], "evaluations_per_solved") == std::min(1.0, 2 * p_of(other[0], "evaluations_per_solved")));
+  CHECK(p_of(both[1], "evaluations_per_success") == std::min(1.0, 2 * p_of(other[0], "evaluations_per_success")));
   CHECK(p_of(alone[0], "evaluations") < 0.5);
 }
 

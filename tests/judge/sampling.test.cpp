@@ -265,7 +265,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
     solve.status = solve.label == "A" && solve.run == 2 && solve.point == 1 ? Status::tolerance_missed : Status::ok;
   };
   CHECK(list_of(group(times(study(to_solve, misses_one)), "A")).size() == 4);
-  const MetricSamples spent = make_samples(study(to_solve, misses_one), metric_named("seconds_per_solved"));
+  const MetricSamples spent = make_samples(study(to_solve, misses_one), metric_named("seconds_per_success"));
   REQUIRE(list_of(group(spent, "A")).size() == 5);
   double sum = 0;  // the mean is that of all spent by all solved
   for (const double value : list_of(group(spent, "A"))) sum += value / 5;
@@ -273,7 +273,8 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   const auto solves_none_of_a_session = [](SolveRecord& solve) {
     solve.status = solve.label == "A" && solve.run < 5 ? Status::tolerance_missed : Status::ok;
   };
-  const MetricSamples few = make_samples(study(to_solve, solves_none_of_a_session), metric_named("seconds_per_solved"));
+  const MetricSamples few =
+      make_samples(study(to_solve, solves_none_of_a_session), metric_named("seconds_per_success"));
   CHECK(list_of(group(few, "A")).size() == 5);  // who fails pays for it
   const auto solves_when_busy =
       study({.start = "middle", .targets = "drawn", .runs = 6, .tolerance_cm = 1}, [](SolveRecord& solve) {
@@ -281,7 +282,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
         if (solve.run > 4) solve.seconds *= 2;
         if (solve.run < 5) solve.status = Status::tolerance_missed;
       });
-  CHECK(warning_text(make_samples(solves_when_busy, metric_named("seconds_per_solved")).warnings.front()) ==
+  CHECK(warning_text(make_samples(solves_when_busy, metric_named("seconds_per_success")).warnings.front()) ==
         "times of B are not compared: too few targets were solved in the compared sessions");
 }
 
@@ -326,7 +327,7 @@ TEST_CASE("Times in batches are of no single call, and those of batches at once 
         },
         {"A", "B"}, sessions);
   };
-  for (const char* metric : {"seconds", "seconds_per_solved", "solved_in_time"}) {
+  for (const char* metric : {"seconds", "seconds_per_success", "solved_in_time"}) {
     const MetricSamples of = make_samples(batches("1"), metric_named(metric));
     CHECK(excluded(group(of, "B")));
     CHECK(list_of(group(of, "B")).empty());
@@ -413,7 +414,7 @@ TEST_CASE("Times of 0 per solved are not compared") {
   const auto misses = [](SolveRecord& solve) {
     solve.status = solve.point == 20 ? Status::tolerance_missed : Status::ok;
   };
-  const MetricSamples of = make_samples(without_times(study(asked, misses)), metric_named("seconds_per_solved"));
+  const MetricSamples of = make_samples(without_times(study(asked, misses)), metric_named("seconds_per_success"));
   CHECK(std::get<ExcludedSample>(group(of, "A").sample).reason == ExclusionReason::not_comparable);
   CHECK(compared(of, {}).front().verdict == Verdict::not_tested);
 }
@@ -448,10 +449,10 @@ TEST_CASE("Orientation counts where a pose is searched, bends are of a run") {
   CHECK(list_of(group(observed(study(pose, turned), "orientation_error_deg"), "A")).front() ==
         Approx(7.02166).epsilon(1e-6));
   CHECK(list_of(group(observed(study(chained, turned), "orientation_error_deg"), "A")).empty());
-  CHECK(list_of(group(observed(study(chained, turned), "bend_deg"), "A")).size() == 5);
-  CHECK(list_of(group(observed(study(chained, turned), "bend_deg"), "A")).back() == Approx(0.75));
-  CHECK_FALSE(observed(study(fixed_targets, turned), "bend_deg").is_paired);
-  CHECK_THROWS_AS(metric_named("bend"), std::invalid_argument);
+  CHECK(list_of(group(observed(study(chained, turned), "second_difference_deg"), "A")).size() == 5);
+  CHECK(list_of(group(observed(study(chained, turned), "second_difference_deg"), "A")).back() == Approx(0.75));
+  CHECK_FALSE(observed(study(fixed_targets, turned), "second_difference_deg").is_paired);
+  CHECK_THROWS_WITH(metric_named("bend_deg"), "bend_deg is now called second_difference_deg");
 }
 
 TEST_CASE("Answers that claim too much or lie outside limits are counted") {
@@ -547,7 +548,7 @@ TEST_CASE("one solve that takes most of the time decides no cost per solved targ
       solve.evaluations = (solve.label == "A" ? 50 : of_b) + solve.run;
       if (solve.label == "B" && solve.run == 8) solve.evaluations = slowest;
     });
-    return *find_metric(judge::judge(of), "evaluations_per_solved");
+    return *find_metric(judge::judge(of), "evaluations_per_success");
   };
   const JudgedMetric slow = judged_with(100'000);
   CHECK(seen(slow.comparisons.front()).why == SeenReason::few_decide);
@@ -572,7 +573,7 @@ TEST_CASE("what attempts spent is by what they solved, and the spread of its par
     solve.evaluations = fails ? 1000 : solve.label == "A" ? 10 : 50;
   });
   const JudgedStudy all = judge::judge(of);
-  const JudgedMetric& spent = *find_metric(all, "evaluations_per_solved");
+  const JudgedMetric& spent = *find_metric(all, "evaluations_per_success");
   CHECK(find_metric(all, "evaluations") == nullptr);
   CHECK(spent.descriptives[0].mean == Approx((80 * 10 + 20 * 1000) / 80.0));
   CHECK(spent.descriptives[1].mean == Approx(50));

@@ -76,7 +76,7 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
     }
   }
   CHECK(std::string(json["headline"]) == "DLS is best: it solved all 20 targets, PSO 13 and mine 6.");
-  for (const auto& comparison : json["findings"]) {
+  for (const auto& comparison : json["comparisons"]) {
     if (comparison["metric"] != "targets solved") continue;
     const std::string first = comparison["first"], second = comparison["second"];
     INFO(first << " vs " << second);
@@ -85,7 +85,7 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
     for (const std::string& number : {number_text(comparison["estimate"]), p_text(comparison["p"], {})})
       CHECK(contains(on_screen, number));
   }
-  CHECK(json["findings"].size() == 12);
+  CHECK(json["comparisons"].size() == 12);
 }
 
 TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
@@ -266,7 +266,8 @@ TEST_CASE("of several studies each is a column, solvers in the order of the firs
 TEST_CASE("a table says no more below it than it has", "[show]") {
   const auto of = [](judge::MetricSamples samples) { return make_report_model({judged(std::move(samples))}); };
   const ReportModel of_shares = of(shares({{"A", solved(20)}, {"B", solved(9)}}));
-  CHECK(results_table(of_shares).notes.front() == "* worse than A (p < 0.05). Brackets: 95 % intervals.");  // no medians
+  CHECK(results_table(of_shares).notes.front() ==
+        "* worse than A (p < 0.05). Brackets: 95 % intervals.");  // no medians
   CHECK(results_table(of(shares({{"A", solved(20)}, {"B", solved(20)}}))).notes.size() == 1);
   const ReportModel of_errors = of(numbers("error", "error", "mm", {{"A", solved(20)}, {"B", solved(20)}}));
   CHECK(results_table(of_errors).columns.size() == 2);  // the solver and its median
@@ -338,8 +339,7 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
   std::fill_n(wide.begin(), 9, 50);
   const ReportModel second = make_report_model(
       {judged(numbers("error", "error", "mm", {{"A", wide}, {"B", b}, {"C", values_around(6, 0.5)}}))});
-  CHECK(
-      contains(to_text(results_table(second)), "C        6 mm (4.7-7.7) *\nMedians (quartiles). * worse than some"));
+  CHECK(contains(to_text(results_table(second)), "C        6 mm (4.7-7.7) *\nMedians (quartiles). * worse than some"));
   CHECK(contains(studies_table({second}, {"one"}).notes[0], "* worse than some other solver (one)"));
 }
 

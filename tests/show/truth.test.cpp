@@ -160,8 +160,8 @@ std::string wrong_in_tables(const ReportModel& model) {
       judged.comparisons, [](const Comparison& comparison) { return is_difference(verdict_of(comparison)); });
   if (count(pairs_table(model), is_decided) != decided) return "a decided pair is not told";
   const nlohmann::ordered_json json = to_json(model);
-  for (const auto& comparison : json["findings"]) {
-    if (comparison.size() != json["findings"][0].size()) return "members of JSON";
+  for (const auto& comparison : json["comparisons"]) {
+    if (comparison.size() != json["comparisons"][0].size()) return "members of JSON";
     if (comparison["p"].is_null() != !comparison["reason"].is_null()) return "p or a reason";
   }
   return "";
