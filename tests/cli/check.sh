@@ -52,7 +52,7 @@ mv away.py checking.py
 succeeds run mine.toml --figures none --out mine --set analysis.metric=lean --json
 json 'of["metric"] == "lean"'
 refused "a metric" run mine.toml --out mine --set 'check.larger=["seconds"]'
-refused "already" run mine.toml --out mine --set 'check.larger=["lean"]'
+refused "the name of a metric" run mine.toml --out mine --set 'check.larger=["lean"]'
 refused "tolerance_cm" run mine.toml --out mine --set stop.tolerance_cm=0 --set stop.tolerance_deg=0
 
 # It is in the key: with an edited check, or another number, all are solved anew.

@@ -89,7 +89,7 @@ refused "run paper/store.sqlite --out NEW" run paper/store.sqlite
 succeeds run slim2023-context "${small[@]}" --set path.points=3 --out paper
 succeeds run paper/store.sqlite --study slim2023-context --no-report --out second
 equal "study" "$(sqlite3 second/store.sqlite "SELECT name FROM studies")" slim2023-context
-refused "is none" run poses.toml --study poses --out other
+refused "is not a store" run poses.toml --study poses --out other
 refused "older ikbench" run "$root/tests/data/version-4.sqlite" --out other
 broken() { # WORD SQL
   cp poses/store.sqlite broken.sqlite
