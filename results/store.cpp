@@ -639,12 +639,6 @@ void Store::for_each_in_study(const StoredStudy& study, const RecordConsumer& ta
   });
 }
 
-std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
-  std::vector<SolveRecord> list;
-  for_each_in_study(study(study_name), [&](SolveRecord& record) { list.push_back(std::move(record)); });
-  return list;
-}
-
 std::int64_t Store::solve_count(const StoredStudy& study) const {
   return guarded(database_->name, [&] {
     SQLite::Statement query(database_->sqlite,

@@ -111,8 +111,6 @@ class Store {
   // solves of the study's series, without runs and points beyond those of the definition. `label` of each solve is the
   // one of its series.
   void for_each_in_study(const StoredStudy& study, const RecordConsumer& take) const;
-  // Returns all current solves at once: for a small study, or one that is not walked in this order.
-  std::vector<SolveRecord> solves(const std::string& study) const;
   std::int64_t solve_count(const StoredStudy& study) const;
 
  private:

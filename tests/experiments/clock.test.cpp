@@ -51,7 +51,7 @@ Study study_of_calls(int points) {
 std::map<std::int64_t, std::map<std::string, std::set<std::pair<int, int>>>> places_in(const Store& store,
                                                                                        const Study& study) {
   std::map<std::int64_t, std::map<std::string, std::set<std::pair<int, int>>>> all;
-  for (const SolveRecord& solve : store.solves(study.name))
+  for (const SolveRecord& solve : solves_of(store, study.name))
     all[solve.session][solve.label].insert({solve.run, solve.point});
   return all;
 }
@@ -138,7 +138,7 @@ TEST_CASE("a stop cuts one session, and all others have the same targets of all 
     const auto look = [&](const Progress& now) { cancelled = now.done >= solves; };
     run(study, store, {.progress = look, .cancelled = &cancelled});
     run(study, store, {});
-    CHECK(store.solves(study.name).size() == 24);
+    CHECK(solves_of(store, study.name).size() == 24);
     int apart = 0;
     for (const auto& [session, of] : places_in(store, study)) apart += of.size() < 2 || of.at("a") != of.at("b");
     CHECK(apart <= 2);  // that which was cut, and the rest of its target

@@ -73,13 +73,13 @@ std::string statements_of(const std::string& place, const std::function<void(Bes
   if (!known.contains(search)) known.emplace(search, to_stored(study));
   Store store(folder.path / "store.sqlite", Store::Mode::write);
   std::string said = complaint<Exception>([&] { run(study, known.at(search), store, {}); });
-  CHECK(store.solves(study.name).size() == 1);
+  CHECK(solves_of(store, study.name).size() == 1);
   return said;
 }
 
 // Checks that every reader takes the solves of a store: the check of rows, a merge, an export, a report.
 void check_that_all_read(const StoredStudy& study, const Store& store, const std::filesystem::path& folder) {
-  const std::vector<SolveRecord> solves = store.solves(study.name);
+  const std::vector<SolveRecord> solves = solves_of(store, study.name);
   CHECK(complaint<std::invalid_argument>([&] { std::ranges::for_each(solves, stored_solve_check(study)); }) == "");
   std::filesystem::remove(folder / "merged.sqlite");
   CHECK(results::merge(folder / "merged.sqlite", {folder / "store.sqlite"}, stored_solve_check).added ==
@@ -154,7 +154,7 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
         progress = run(study, stored, store, {.jobs = told.size() % 2 == 0 ? 1 : 2});
       }
       const Store store(folder.path / "store.sqlite", Store::Mode::read);
-      const std::vector<SolveRecord> solves = store.solves(study.name), odd = only("mine", solves);
+      const std::vector<SolveRecord> solves = solves_of(store, study.name), odd = only("mine", solves);
       check_that_all_read(stored, store, folder.path);
       if (neighbours.empty()) neighbours = only("RS", solves);
       CHECK(same_numbers(only("RS", solves), neighbours));
@@ -217,7 +217,7 @@ TEST_CASE("of records with any odd number, every reader takes what may be writte
     store.append(taken);
   }
   const Store store(folder.path / "store.sqlite", Store::Mode::read);
-  CHECK(same_numbers(store.solves(study.name), taken));
+  CHECK(same_numbers(solves_of(store, study.name), taken));
   check_that_all_read(stored, store, folder.path);
 }
 
@@ -231,7 +231,7 @@ TEST_CASE("a solve that no reader would take ends the run with its place, and th
   const auto request = RunRequest{.flush_interval = std::chrono::milliseconds(10'000)};
   CHECK_THAT(complaint<std::runtime_error>([&] { run(study, stored, store, request); }),
              ContainsSubstring("mine, run 1, point 2: it has 0 evaluations"));
-  CHECK(store.solves(study.name).size() == 1);
+  CHECK(solves_of(store, study.name).size() == 1);
   Faulty::asks = true;
 }
 
@@ -275,7 +275,7 @@ TEST_CASE("a solver that ends the process does not end it as if all were solved"
     });
     CHECK(exit_code(process) == 2);
     CHECK_THAT(text_in(said), StartsWith("ikbench: mine, run 1, point "));  // 2, or of two jobs 3
-    CHECK(Store(store, Store::Mode::read).solves(study.name).size() <= 1);
+    CHECK(solves_of(Store(store, Store::Mode::read), study.name).size() <= 1);
   }
   CHECK(exit_code(in_a_process([&]() -> bool { std::exit(0); })) == 0);  // outside of a solve
 }

@@ -75,7 +75,7 @@ TEST_CASE("every session remembers how the study was to be judged when its solve
   CHECK(nlohmann::json::parse(sessions.front().environment.at("analysis"))["significance"] == 0.05);
   CHECK(nlohmann::json::parse(sessions.back().environment.at("analysis"))["significance"] == 0.01);
   CHECK(nlohmann::json::parse(scratch.study("small").definition.json)["analysis"]["significance"] == 0.01);
-  CHECK(scratch.solves("small").size() == 24);  // the earlier ones are kept
+  CHECK(solves_of(scratch, "small").size() == 24);  // the earlier ones are kept
 }
 
 // ---- only what is missing -----------------------------------------------------------------------------------------
@@ -85,12 +85,12 @@ TEST_CASE("running again does nothing", "[runner]") {
   const Progress first = run(small_study(), scratch, {});
   CHECK(first.done == 24);
   CHECK(first.reused == 0);
-  const std::vector<SolveRecord> before = scratch.solves("small");
+  const std::vector<SolveRecord> before = solves_of(scratch, "small");
   const Progress second = run(small_study(), scratch, {});
   CHECK(second.done == 24);
   CHECK(second.total == 24);
   CHECK(second.reused == 24);
-  const std::vector<SolveRecord> after = scratch.solves("small");
+  const std::vector<SolveRecord> after = solves_of(scratch, "small");
   CHECK(std::equal(before.begin(), before.end(), after.begin(), after.end(),
                    [](const auto& a, const auto& b) { return same(a, b); }));  // times too
   CHECK(scratch.sessions().size() == 2);                                       // of two runs
@@ -104,11 +104,11 @@ TEST_CASE("a run that is stopped anywhere and continued gives what an uninterrup
     const Progress stopped = run_for(small_study(), scratch, solves);
     CHECK(stopped.done == solves);
     CHECK(stopped.total == 24);
-    CHECK(scratch.solves("small").size() == static_cast<std::size_t>(solves));
+    CHECK(solves_of(scratch, "small").size() == static_cast<std::size_t>(solves));
     const Progress rest = run(small_study(), scratch, {.jobs = 2});
     CHECK(rest.done == 24);
     CHECK(rest.reused == solves);
-    CHECK(same_numbers(scratch.solves("small"), uninterrupted));
+    CHECK(same_numbers(solves_of(scratch, "small"), uninterrupted));
   }
 }
 
@@ -121,9 +121,9 @@ TEST_CASE("parallel jobs stop soon after they are asked to, and what they did st
   const Progress stopped = run(study, scratch, {.jobs = 4, .progress = look, .cancelled = &cancelled});
   CHECK(stopped.done >= 5);
   CHECK(stopped.done < stopped.total);
-  CHECK(scratch.solves("small").size() == static_cast<std::size_t>(stopped.done));
+  CHECK(solves_of(scratch, "small").size() == static_cast<std::size_t>(stopped.done));
   run(small_study(), scratch, {});
-  CHECK(same_numbers(scratch.solves("small"), solve_all(small_study())));
+  CHECK(same_numbers(solves_of(scratch, "small"), solve_all(small_study())));
 }
 
 TEST_CASE("what fails where solves are taken is told, ends the work, and what was taken before stays", "[runner]") {
@@ -135,11 +135,11 @@ TEST_CASE("what fails where solves are taken is told, ends the work, and what wa
       if (now.done == 5) throw std::runtime_error("no space");
     };
     CHECK(complaint<std::runtime_error>([&] { run(study, scratch, {.jobs = jobs, .progress = fail}); }) == "no space");
-    const std::size_t kept = scratch.solves("small").size();
+    const std::size_t kept = solves_of(scratch, "small").size();
     CHECK(kept >= 5);
     CHECK(kept < 120'000);
     CHECK(run(small_study(), scratch, {}).done == 24);
-    CHECK(same_numbers(scratch.solves("small"), solve_all(small_study())));
+    CHECK(same_numbers(solves_of(scratch, "small"), solve_all(small_study())));
 
     int taken = 0;
     const auto refuse = [&](const SolveRecord&) {
@@ -189,10 +189,10 @@ TEST_CASE("of a changed study only what the store lacks is solved, and what it n
     const Progress again = run(study, scratch, {});
     CHECK(again.total == total);
     CHECK(again.reused == reused);
-    CHECK(same_numbers(scratch.solves(study.name), solve_all(study)));
+    CHECK(same_numbers(solves_of(scratch, study.name), solve_all(study)));
     CHECK(scratch.studies().size() == (study.name == "small" ? 1 : 2));
     CHECK(run(small_study(), scratch, {}).reused == 24);
-    CHECK(same_numbers(scratch.solves("small"), solve_all(small_study())));
+    CHECK(same_numbers(solves_of(scratch, "small"), solve_all(small_study())));
   };
   check(36, 24, [](Study& study) { study.runs = 3; });
   check(12, 12, [](Study& study) { study.runs = 1; });
@@ -217,9 +217,9 @@ TEST_CASE("solves of other source are left aside and solved anew", "[runner]") {
   for (Series& series : entry.series) of_other_source(series.key);
   scratch.save_study(entry);
   scratch.append(records);
-  CHECK(scratch.solves("small").size() == 24);  // reports read them
+  CHECK(solves_of(scratch, "small").size() == 24);  // reports read them
   CHECK(run(study, scratch, {}).reused == 0);
-  CHECK(same_numbers(scratch.solves("small"), solve_all(study)));
+  CHECK(same_numbers(solves_of(scratch, "small"), solve_all(study)));
   CHECK(series_of(scratch, entry.series[0].key).size() == 8);  // they stay
 }
 
@@ -240,7 +240,7 @@ TEST_CASE("a run whose study another process replaces is refused, keeps its solv
     CHECK_THAT(said, ContainsSubstring("run this study again for its report"));
     CHECK(store.study("small").definition.json == to_json(other));
     CHECK(run(small_study(), store, {}).reused == 24);
-    CHECK(same_numbers(store.solves("small"), solve_all(small_study())));
+    CHECK(same_numbers(solves_of(store, "small"), solve_all(small_study())));
   }
 }
 
@@ -355,7 +355,7 @@ TEST_CASE("a refused answer leaves the arm where it was, and the record tells of
   ScratchStore scratch;  // after a stop, a chain continues behind a refusal
   for (int more = 1; more <= 5; ++more) run_for(study, scratch, 17);
   run(study, scratch, {});
-  CHECK(same_numbers(scratch.solves(study.name), records));
+  CHECK(same_numbers(solves_of(scratch, study.name), records));
 }
 
 TEST_CASE("where limits are enforced the wrist takes the branch inside, whichever was asked for", "[runner]") {
@@ -559,7 +559,7 @@ TEST_CASE("a run is continued after a solve that was not finite as if it had not
   study.path = path_through({at(0.5, 0.1, 0.4), at(std::nan(""), 0, 0), at(0.5, 0.1, 0.5)});
   ScratchStore scratch;
   for (int i = 0; i < 18; ++i) run_for(study, scratch, 1);
-  CHECK(same_numbers(scratch.solves("small"), solve_all(study)));
+  CHECK(same_numbers(solves_of(scratch, "small"), solve_all(study)));
 }
 
 // ---- stop rules, traces, times ------------------------------------------------------------------------------------
@@ -594,7 +594,7 @@ TEST_CASE("every solve knows its session, and the session its machine and its jo
   CHECK(sessions[1].environment.at("source") == shared_source_digest());
   CHECK(sessions[1].environment.at("source.bat") == solver_source_digest("bat"));
   std::int64_t in_first = 0;
-  for (const SolveRecord& record : scratch.solves("small")) in_first += record.session == sessions[0].id ? 1 : 0;
+  for (const SolveRecord& record : solves_of(scratch, "small")) in_first += record.session == sessions[0].id ? 1 : 0;
   CHECK(in_first == 4);
 }
 

@@ -109,7 +109,7 @@ inline bool same_numbers(const std::vector<results::SolveRecord>& a, const std::
 inline std::vector<results::SolveRecord> solve_all(const experiments::Study& study, int jobs = 1) {
   ScratchStore store;
   experiments::run(study, store, {.jobs = jobs});
-  return store.solves(study.name);
+  return solves_of(store, study.name);
 }
 
 inline std::vector<results::SolveRecord> only(const std::string& solver,

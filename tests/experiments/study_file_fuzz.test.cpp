@@ -99,7 +99,7 @@ TEST_CASE("studies of a store with random changes are read with all their solves
       const StoredStudy stored = store.study("small");
       judge::read_study(store, stored);
       complaint<std::invalid_argument>(
-          [&] { std::ranges::for_each(store.solves("small"), stored_solve_check(stored)); });
+          [&] { std::ranges::for_each(solves_of(store, "small"), stored_solve_check(stored)); });
     });
     put(whole);
   };

@@ -182,6 +182,6 @@ TEST_CASE("every solver starts where the study says, run after run and from a st
     run(study, store, {});
     study.runs = 2;
     run(study, store, {});
-    CHECK(same_numbers(store.solves(study.name), whole));
+    CHECK(same_numbers(solves_of(store, study.name), whole));
   }
 }

@@ -120,4 +120,10 @@ inline std::vector<results::SolveRecord> series_of(const results::Store& store, 
   return list;
 }
 
+inline std::vector<results::SolveRecord> solves_of(const results::Store& store, const std::string& study) {
+  std::vector<results::SolveRecord> list;
+  store.for_each_in_study(store.study(study), [&](results::SolveRecord& record) { list.push_back(std::move(record)); });
+  return list;
+}
+
 }  // namespace ikbench

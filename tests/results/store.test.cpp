@@ -81,7 +81,7 @@ TEST_CASE("any text comes back as it was", "[store]") {
     store.save_study(study);
     CHECK(store.study(text).series[0].label == record.label);
     store.append({record});
-    CHECK(store.solves(text).size() == 1);
+    CHECK(solves_of(store, text).size() == 1);
     const auto id = store.begin_session({{text, text}});
     CHECK(store.sessions().front().id == id);
     CHECK(store.sessions().front().environment == std::map<std::string, std::string>{{text, text}});
@@ -116,7 +116,7 @@ TEST_CASE("a study that is not there is told which are", "[store]") {
   CHECK_THAT(complaint<std::invalid_argument>([&] { store.study(""); }), StartsWith(quoted(file) + " has no study"));
   store.save_study(sample_study("helix"));
   store.save_study(sample_study("circle"));
-  CHECK(complaint<std::invalid_argument>([&] { store.solves("x"); }) ==
+  CHECK(complaint<std::invalid_argument>([&] { solves_of(store, "x"); }) ==
         "there is no study 'x' in " + quoted(file) + "; expected one of: helix, circle");
   CHECK(store.study("").name == "helix");
 }
@@ -148,18 +148,18 @@ TEST_CASE("solves of a study are those of its current series, runs and points, i
   store.append({second(1, 2), second(1, 1), sample_record("old", 1, 1)});
   store.append({sample_record("z", 10, 1), sample_record("z", 2, 1), sample_record("z", 1, 1), sample_record("z", 2, 2),
                 sample_record("z", 1, 3)});
-  CHECK(places(store.solves("table-3")) == std::vector<std::string>{"z 1 1", "z 2 1", "z 2 2", "a 1 1", "a 1 2"});
+  CHECK(places(solves_of(store, "table-3")) == std::vector<std::string>{"z 1 1", "z 2 1", "z 2 2", "a 1 1", "a 1 2"});
   CHECK(places(series_of(store, "z")) == std::vector<std::string>{"z 1 1", "z 1 3", "z 2 1", "z 2 2", "z 10 1"});
 
   // Other options are another series; the solves of the former stay in the file.
   study.series = {{.key = "old", .label = "IK-BA", .algorithm = "ba", .options = R"({"gamma":0.5})"}};
   store.save_study(study);
-  CHECK(places(store.solves("table-3")) == std::vector<std::string>{"old 1 1"});
+  CHECK(places(solves_of(store, "table-3")) == std::vector<std::string>{"old 1 1"});
   CHECK(series_of(store, "z").size() == 5);
 
   study.name = "again";
   store.save_study(study);
-  CHECK(store.solves("again").front().study == "again");  // though the first one solved it
+  CHECK(solves_of(store, "again").front().study == "again");  // though the first one solved it
 }
 
 TEST_CASE("the views have the current solves under the present labels, and the means of their runs", "[store]") {

@@ -50,7 +50,7 @@ void read_everything(const std::filesystem::path& file) {
   const Store store(file, Store::Mode::read);
   store.studies();
   store.sessions();
-  store.solves("table-3");
+  solves_of(store, "table-3");
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ TEST_CASE("an empty file is no store to a reader and a new store to a writer", "
   write_text(file, "");
   CHECK_THAT(refusal(file), ContainsSubstring("is not an ikbench store"));
   write_store(file);
-  CHECK(Store(file, Store::Mode::read).solves("table-3").size() == 40);
+  CHECK(solves_of(Store(file, Store::Mode::read), "table-3").size() == 40);
 }
 
 TEST_CASE_METHOD(StoreFile, "a store of another version is refused and stays as it is", "[store][faults]") {
@@ -380,7 +380,7 @@ TEST_CASE_METHOD(StoreFile, "a store that a kill left half-written is told apart
                                 ContainsSubstring(quoted(std::filesystem::path(file.string() + "-journal"))) &&
                                 ContainsSubstring("give the command that was killed again"));
   CHECK(Store(file, Store::Mode::write).close() == std::vector{file});
-  const std::vector<SolveRecord> solves = Store(file, Store::Mode::read).solves("table-3");
+  const std::vector<SolveRecord> solves = solves_of(Store(file, Store::Mode::read), "table-3");
   REQUIRE(solves.size() == 40);
   CHECK(same(solves.front(), sample_record()));
 }
@@ -403,7 +403,7 @@ TEST_CASE_METHOD(StoreFile, "a reader needs no permission to write, neither to t
 
   const pid_t reader = in_a_process([&] {
     if (geteuid() == 0 && setuid(65534) != 0) return false;  // root may write anything; the user nobody may not
-    if (Store(file, Store::Mode::read).solves("table-3").size() != 40) return false;
+    if (solves_of(Store(file, Store::Mode::read), "table-3").size() != 40) return false;
     if (refusal(file, Store::Mode::write).empty()) return false;
     return refusal(unfinished).find("copy the store with its '-wal' file") != std::string::npos;
   });
