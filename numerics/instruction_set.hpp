@@ -21,19 +21,21 @@ std::vector<InstructionSet> instruction_sets();
 InstructionSet instruction_set();
 
 // Defines, in a folder's namespace, kernels(InstructionSet) and kernels(): its table of kernels for a set that this
-// machine runs, and for the set in use, looked up once.
+// machine runs, and for the set in use, looked up once. The brackets of (kernels) keep the functions of numerics/ out.
 #ifdef __x86_64__
-#define IKBENCH_KERNELS_OF(set)                                                   \
-  ((set) == ikbench::numerics::InstructionSet::x86_64_v4   ? x86_64_v4::kernels() \
-   : (set) == ikbench::numerics::InstructionSet::x86_64_v3 ? x86_64_v3::kernels() \
-                                                           : portable::kernels())
+#define IKBENCH_RETURN_KERNELS_OF(set)                                                    \
+  if ((set) == ikbench::numerics::InstructionSet::x86_64_v4) return x86_64_v4::kernels(); \
+  if ((set) == ikbench::numerics::InstructionSet::x86_64_v3) return x86_64_v3::kernels(); \
+  return portable::kernels()
 #else
-#define IKBENCH_KERNELS_OF(set) (static_cast<void>(set), portable::kernels())
+#define IKBENCH_RETURN_KERNELS_OF(set) \
+  static_cast<void>(set);              \
+  return portable::kernels()
 #endif
 #define IKBENCH_DEFINE_KERNELS                                                               \
-  Kernels kernels(ikbench::numerics::InstructionSet set) { return IKBENCH_KERNELS_OF(set); } \
+  Kernels kernels(ikbench::numerics::InstructionSet set) { IKBENCH_RETURN_KERNELS_OF(set); } \
   const Kernels& kernels() {                                                                 \
-    static const Kernels chosen = IKBENCH_KERNELS_OF(ikbench::numerics::instruction_set());  \
+    static const Kernels chosen = (kernels)(ikbench::numerics::instruction_set());           \
     return chosen;                                                                           \
   }
 
