@@ -17,7 +17,7 @@ enum class MetricKind {
   success_rate,  // solved or not; compared as proportions
   error,         // distance from the target
   cost,          // effort for an answer; with a tolerance, only of targets that both solvers of a pair solved
-  ert,           // expected running time: cost of all attempts per solved target, so that failed attempts count
+  ert,           // expected running time: cost of all attempts per success, so that failed attempts count
   per_run        // one value per run, which is the value of its last solve
 };
 
@@ -66,8 +66,8 @@ inline bool uses_medians(const Metric& metric) { return is_time_metric(metric) &
 MetricSamples empty_samples(const Metric& metric);
 // Returns the samples of a metric. If solves are chained, or all runs have one target, a value is a run: the mean of
 // its targets. Otherwise a value is a target: the mean of its runs, or the only solve of a drawn target. A value of
-// times is a session: the logarithm of the median of its solves, or its part in the time of all attempts per solved
-// target. Groups whose values must not be compared are excluded, and the warnings say why.
+// times is a session: the logarithm of the median of its solves, or its part in the time of all attempts per success.
+// Groups whose values must not be compared are excluded, and the warnings say why.
 MetricSamples make_samples(const StudyResults& study, const Metric& metric);
 // Returns the samples of a metric by run or target, as papers print them; times are medians. Times of these samples are
 // only for description, not for comparison.
