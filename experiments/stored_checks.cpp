@@ -201,6 +201,8 @@ void check(const StudyDefinition& study, const Robot& arm, SolverKind kind, cons
     refuse(solve, "its status is not_finite, but its numbers are finite");
   if (kind != SolverKind::program && solve.seconds != solve.wall_seconds)
     refuse(solve, "its seconds are not its wall_seconds, but only a program may report its own time");
+  if (solve.batch_size < 1 || (kind != SolverKind::program && solve.batch_size > 1))
+    refuse(solve, fmt::format("its batch_size is {}; expected 1, or more for a program", solve.batch_size));
   if (solve.all_answers_rad.size() % solve.answer_rad.size() != 0)
     refuse(solve, "its all_answers_rad do not have one number for each joint");
   if (!has_check_results(study, solve)) refuse(solve, "its status or extras are not what the study's check gives");

@@ -118,10 +118,13 @@ void refuse_other_bits(SQLite::Database& sqlite, const fs::path& ours, const fs:
   // An empty store differs in nothing, and needs no scan of the other store.
   if (sqlite.execAndGet("SELECT NOT EXISTS (SELECT 1 FROM main.solves)").getInt() != 0) return;
   std::vector<std::string> differ;
+  const auto compare = [&](std::string_view column) {
+    differ.push_back(fmt::format("iif(theirs.{0} IS NOT ours.{0}, ' {0}', '')", column));
+  };
   for_each_column_of_fingerprint([&](std::string_view column, auto) {
-    if (column != "study")  // the same solve may belong to two studies
-      differ.push_back(fmt::format("iif(theirs.{0} IS NOT ours.{0}, ' {0}', '')", column));
+    if (column != "study") compare(column);  // the same solve may belong to two studies
   });
+  compare("all_answers_rad");
   SQLite::Statement query(sqlite,
                           fmt::format("SELECT theirs.run, theirs.point, theirs.label, {} AS others "
                                       "FROM (SELECT solves.* FROM {}) AS theirs "

@@ -40,7 +40,7 @@ using MergeProgress = std::function<void(std::int64_t done, std::int64_t all)>;
 // they should be.
 // Each store is added in one transaction. A merge that fails or is killed keeps the stores that it has added, and can
 // be repeated. Throws std::invalid_argument if two stores have different studies of one name, or different bits of one
-// solve (columns of the fingerprint), and as store.hpp says.
+// solve (columns of the fingerprint and all_answers_rad), and as store.hpp says.
 MergeResult merge(const std::filesystem::path& out, std::vector<std::filesystem::path> stores,
                   const MakeCheck& check_of, const MergeProgress& progress = {});
 

@@ -112,6 +112,8 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
       {"cpu_seconds is inf, which no solve has", [](SolveRecord& solve) { solve.cpu_seconds = INFINITY; }},
       {"wall_seconds is -1, which no solve has", [](SolveRecord& solve) { solve.wall_seconds = -1; }},
       {"seconds are not its wall_seconds", [](SolveRecord& solve) { solve.seconds /= 2; }},
+      {"batch_size is 0; ", [](SolveRecord& solve) { solve.batch_size = 0; }},
+      {"batch_size is 2; ", [](SolveRecord& solve) { solve.batch_size = 2; }},
       {"all_answers_rad do not", [](SolveRecord& solve) { solve.all_answers_rad = {1}; }},
       {"reported_error_cm", [](SolveRecord& solve) { solve.reported_error_cm += 1e-3; }},
       {"reported_error_cm is nan, but ", [](SolveRecord& solve) { solve.reported_error_cm = not_a_number; }},
@@ -139,6 +141,8 @@ TEST_CASE("a solve of a program that kept its budget has not spent 1.5 times as 
   for (Series& series : entry.series) series.options = R"({"kind":"process"})";
   CHECK_THAT(refused_row(entry, {solve}), ContainsSubstring("(counted by solver) in "));
   for (Series& series : entry.series) series.options = R"({"process":"./program"})";
+  CHECK(refused_row(entry, {solve}) == "");
+  solve.batch_size = 2;
   CHECK(refused_row(entry, {solve}) == "");
   solve.evaluations = 1501;
   CHECK_THAT(refused_row(entry, {solve}), ContainsSubstring(": it has 1501 evaluations (counted by solver) in "));

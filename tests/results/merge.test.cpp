@@ -94,6 +94,8 @@ TEST_CASE("a solve with other bits is named, with both stores, and its store is 
                                      quoted(folder.path / "out")));
   CHECK_THAT(said, ContainsSubstring("(evaluations)"));
   CHECK(series_of(Store(folder.path / "out", Store::Mode::read), "key-a").size() == 2);
+  edit(folder.path / "b", "UPDATE solves SET evaluations = 10000, all_answers_rad = answer_rad WHERE run = 2");
+  CHECK_THAT(complaint<std::invalid_argument>(merging), ContainsSubstring("(all_answers_rad)"));
 }
 
 TEST_CASE("a store with a solve that the check refuses is named and left out, and the others are merged", "[merge]") {
