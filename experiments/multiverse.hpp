@@ -23,9 +23,9 @@ struct MultiversePlan : results::Multiverse {
   std::vector<Study> parts;
 };
 
-// Plans all interpretations with the seeds 1, 2, ... `seeds`. The overrides apply in every interpretation. Throws
-// std::invalid_argument as load_study does.
-MultiversePlan plan_multiverse(const std::string& study, const std::vector<results::Dimension>& dimensions, int seeds,
+// Plans all interpretations of the study `name` with the seeds 1, 2, ... `seeds`. The overrides apply in every
+// interpretation. Throws std::invalid_argument as load_study does.
+MultiversePlan plan_multiverse(const std::string& name, const std::vector<results::Dimension>& dimensions, int seeds,
                                const Overrides& overrides);
 
 // The means of each run over its points, one value per run. A value is not finite if an answer is not.

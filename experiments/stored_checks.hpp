@@ -26,7 +26,7 @@ results::SolveVisitor stored_solve_check(const results::StoredStudy& study);
 // Returns a check that draws targets and starts again from the study's seed. The check throws std::invalid_argument,
 // with the place of the solve, if the solve had others. It is for solves that stored_solve_check accepted. Null if the
 // targets are poses of a file, which the store does not have.
-results::SolveVisitor target_replay_check(const results::StoredStudy& study);
+results::SolveVisitor target_replay_check(const results::StoredStudy& stored);
 
 // The result of rerun_sample. A label is in neither list if its solves can be repeated.
 struct RerunReport {
@@ -38,7 +38,7 @@ struct RerunReport {
 // Repeats solves of the stored study, at most `max_solves`, chosen at random, and calls `progress` before each. It
 // repeats none if the clock may end solves. Throws std::invalid_argument, with the place of the solve, if a bit of the
 // answer or a count differs.
-RerunReport rerun_sample(const results::Store& store, const results::StoredStudy& study, std::int64_t max_solves,
+RerunReport rerun_sample(const results::Store& store, const results::StoredStudy& stored, std::int64_t max_solves,
                          const std::function<void(const Progress&)>& progress = {});
 
 }  // namespace ikbench::experiments

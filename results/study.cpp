@@ -89,9 +89,9 @@ StudyDefinition parse_definition(std::string_view json) {
   return definition_of(base::parsed_json(json), std::string(json));
 }
 
-StudyDefinition definition_of(const base::Json& all, std::string json) {
-  if (!all.is_object()) throw std::invalid_argument("the definition of a study is not a JSON object");
-  const toml::table table = base::toml_of(all);
+StudyDefinition definition_of(const base::Json& document, std::string json) {
+  if (!document.is_object()) throw std::invalid_argument("the definition of a study is not a JSON object");
+  const toml::table table = base::toml_of(document);
   const std::string source = fmt::format("study {}", table["name"].value_or("without a name"));
   refuse_former_keys(table, source);
   if (table["analysis"].is_table()) refuse_former_keys(*table["analysis"].as_table(), source);
@@ -132,9 +132,9 @@ StudyDefinition definition_of(const base::Json& all, std::string json) {
     const double step = velocities[j] * unit * study.loop.period;
     study.max_steps.emplace_back(std::isnormal(step) ? step : INFINITY, link["limits_deg"].is_string());
   }
-  study.arm = text_of(all.value("arm", base::Json()));
-  study.task = text_of(all.value("initial_deg", base::Json()));
-  if (study.draws_targets) study.task += text_of(all.value("path", base::Json()));
+  study.arm = text_of(document.value("arm", base::Json()));
+  study.task = text_of(document.value("initial_deg", base::Json()));
+  if (study.draws_targets) study.task += text_of(document.value("path", base::Json()));
   return study;
 }
 

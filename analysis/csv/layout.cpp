@@ -47,6 +47,16 @@ void expect_one_unit(Sheet& sheet, const Columns& values) {
   }
 }
 
+// Sets the columns of the sheet, without empty ones outside the bars of a Markdown table, and the indices among them.
+void find_columns(const Sheet& sheet, Known& known) {
+  for (std::size_t i = 0; i < sheet.titles().size(); ++i) {
+    const auto is_empty = [&](std::uint32_t row) { return sheet.cell(row, i).empty(); };
+    if (sheet.titles()[i] == base::unnamed(i) && std::ranges::all_of(sheet.rows(), is_empty)) continue;
+    known.columns.push_back(i);
+    if (is_index(sheet, i)) known.indices.push_back(i);
+  }
+}
+
 }  // namespace
 
 SummaryColumns summary_columns_of(const Sheet& sheet) {
@@ -57,13 +67,7 @@ SummaryColumns summary_columns_of(const Sheet& sheet) {
 
 Layout layout_of(Sheet& sheet, const Request& request) {
   Known known;
-  Columns& columns = known.columns;  // without empty columns outside the bars of a Markdown table
-  for (std::size_t i = 0; i < sheet.titles().size(); ++i) {
-    const auto is_empty = [&](std::uint32_t row) { return sheet.cell(row, i).empty(); };
-    if (sheet.titles()[i] == base::unnamed(i) && std::ranges::all_of(sheet.rows(), is_empty)) continue;
-    columns.push_back(i);
-    if (is_index(sheet, i)) known.indices.push_back(i);  // before --where removes rows
-  }
+  find_columns(sheet, known);  // before --where removes rows
   const auto has_title = [&](std::string_view title) { return std::ranges::count(sheet.titles(), title) > 0; };
   known.is_wide =
       !request.are_summaries && request.label == std::vector<std::string>{"columns"} && !has_title("columns");
@@ -88,7 +92,7 @@ Layout layout_of(Sheet& sheet, const Request& request) {
   if (!known.is_wide && !request.label.empty()) layout.label = sheet.joined(request.label);
   if (!request.block.empty()) layout.block = sheet.joined(request.block);
   std::erase_if(known.indices, [&](std::size_t column) { return has(named, column); });
-  for (const std::size_t column : columns)
+  for (const std::size_t column : known.columns)
     if (!has(named, column) && !has(known.indices, column))
       (sheet.has_numbers(column) ? numbers : texts).push_back(column);
   if (numbers.empty() && layout.values.empty()) numbers.swap(known.indices);  // a file must have values

@@ -53,30 +53,47 @@ void reword(Figure& figure, const std::string& part, const std::string& text) {
     figure.titles += fmt::format("{}_title = {}\n", part, gnuplot_text(text));
 }
 
+constexpr std::size_t markers = 13;  // as style.gp has them
+
+// The colours of a palette that a solver may get.
+struct Colours {
+  std::size_t first, end;  // places
+  std::size_t all;         // in the palette
+};
+
+// Styles that solvers have, each with the algorithm of its solver.
+using GivenStyles = std::vector<std::pair<std::string, std::size_t>>;
+
+// Returns the style for a solver with this algorithm. Fewest solvers have the colour of the style. Among such styles
+// fewest solvers have this one, then fewest variants of the algorithm have its marker.
+std::size_t least_used_style(const GivenStyles& given, const std::string& algorithm, const Colours& colours) {
+  std::map<std::array<int, 4>, std::size_t> by_users;
+  for (std::size_t i = 0; i < markers * colours.all; ++i) {
+    if (i % colours.all < colours.first || i % colours.all >= colours.end) continue;
+    std::array<int, 4> users{};
+    for (const auto& [other, style] : given) {
+      if (style % colours.all == i % colours.all) ++users[0];
+      if (style == i) ++users[1];
+      if (style % markers == i % markers) ++users[other == algorithm ? 2 : 3];
+    }
+    by_users.emplace(users, i);
+  }
+  return by_users.begin()->second;
+}
+
 }  // namespace
 
 std::map<std::string, int> line_styles(const std::vector<Series>& solvers, FigureStyle& style) {
-  constexpr std::size_t markers = 13;  // style.gp
   const std::size_t own_colours = style.palette.size();
   for (const auto& [label, colour] : style.colours) place_in(style.palette, colour);
   const std::size_t hues = style.palette.size();
-  std::vector<std::pair<std::string, std::size_t>> given;  // by algorithm
+  GivenStyles given;
   std::map<std::string, int> styles;
-  // Gives one of these places that fewest have, then the style that fewest have, whose marker fewest variants have.
-  const auto give = [&](const Series& solver, std::size_t from, std::size_t to) {
+  // Gives a solver a style with a colour from place `first` to before `end`.
+  const auto give = [&](const Series& solver, std::size_t first, std::size_t end) {
     if (styles.contains(solver.label)) return;
-    std::map<std::array<int, 4>, std::size_t> by_users;
-    for (std::size_t i = 0; i < markers * hues; ++i) {
-      if (i % hues < from || i % hues >= to) continue;
-      std::array<int, 4> users{};
-      for (const auto& [algorithm, place] : given) {
-        if (place % hues == i % hues) ++users[0];
-        if (place == i) ++users[1];
-        if (place % markers == i % markers) ++users[algorithm == solver.algorithm ? 2 : 3];
-      }
-      by_users.emplace(users, i);
-    }
-    given.emplace_back(solver.algorithm, by_users.begin()->second);
+    const Colours colours{.first = first, .end = end, .all = hues};
+    given.emplace_back(solver.algorithm, least_used_style(given, solver.algorithm, colours));
     styles.emplace(solver.label, static_cast<int>(1 + given.back().second));
   };
   for (const Series& solver : solvers) {

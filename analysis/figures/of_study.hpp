@@ -38,7 +38,7 @@ std::optional<Figure> overview_of(const judge::JudgedStudy& judged, const Look& 
                                   const std::function<void(Dot&)>& add_printed);
 // Returns the figure of mean ranks, for at least three solvers that were compared with one another. Nullopt with a
 // control, which leaves out pairs of other solvers, and where means decide.
-std::optional<Figure> ranks_of(const judge::JudgedMetric& metric, const std::vector<std::string>& shown,
+std::optional<Figure> ranks_of(const judge::JudgedMetric& judged, const std::vector<std::string>& shown,
                                const Look& look);
 // Returns the figure of differences, with a row per tested pair. Of more than most_drawn_pairs pairs only those of the
 // first name in `shown` are drawn. Nullopt if all values are equal.

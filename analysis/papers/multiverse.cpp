@@ -74,10 +74,10 @@ InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, c
   }
   std::int64_t most = 0;
   for (const Dimension& dimension : multiverse.dimensions) {
-    for (const results::Alternative& its : std::span(dimension).subspan(1)) {
-      if (failing[its.set] <= most) continue;
-      most = failing[its.set];
-      counts.most_fail = fmt::format("{} with {} ({})", most, its.set, its.where);
+    for (const results::Alternative& alternative : std::span(dimension).subspan(1)) {
+      if (failing[alternative.set] <= most) continue;
+      most = failing[alternative.set];
+      counts.most_fail = fmt::format("{} with {} ({})", most, alternative.set, alternative.where);
     }
   }
   return counts;
@@ -121,6 +121,31 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
   return result;
 }
 
+namespace {
+
+// The values of one solver in one metric, with a part per seed.
+struct SeedValues {
+  std::vector<Descriptives> by_seed = {};
+  std::vector<std::optional<Ranges>> ranges = {};  // by seed; nullopt: too few values, or some are missing
+  std::vector<double> together = {};               // values of all seeds
+};
+
+// Returns the values of these parts. The ranges are those of new studies with `runs` runs.
+SeedValues values_by_seed(const SolvedMultiverse& multiverse, const std::vector<std::size_t>& parts, std::size_t metric,
+                          int runs) {
+  SeedValues all;
+  for (const std::size_t part : parts) {
+    const Group& group = multiverse.means[part][metric];
+    const std::vector<double> values(values_of(group).begin(), values_of(group).end());
+    all.ranges.push_back(missing_in(group) > 0 ? std::nullopt : predicted_ranges(values, runs));
+    all.by_seed.push_back(describe_values(values));
+    all.together.insert(all.together.end(), values.begin(), values.end());
+  }
+  return all;
+}
+
+}  // namespace
+
 SeedCounts counts_by_seed(const Paper& paper, const SolvedMultiverse& multiverse) {
   SeedCounts counts;
   const auto& parts = multiverse.readings.front().parts;
@@ -131,16 +156,7 @@ SeedCounts counts_by_seed(const Paper& paper, const SolvedMultiverse& multiverse
     for (const PrintedRow& row : printed_means(paper.name, paper.means, metrics_of_readings[m])) {
       const std::size_t solver = place_of(multiverse.solvers, row.solver);
       if (solver == multiverse.solvers.size()) continue;
-      std::vector<Descriptives> ours;
-      std::vector<std::optional<Ranges>> ranges;
-      std::vector<double> together;
-      for (const std::size_t part : parts[solver]) {
-        const Group& group = multiverse.means[part][m];
-        const std::vector<double> values(values_of(group).begin(), values_of(group).end());
-        ranges.push_back(missing_in(group) > 0 ? std::nullopt : predicted_ranges(values, row.numbers.n));
-        ours.push_back(describe_values(values));
-        together.insert(together.end(), values.begin(), values.end());
-      }
+      const auto [ours, ranges, together] = values_by_seed(multiverse, parts[solver], m, row.numbers.n);
       if (std::ranges::none_of(ranges, [](const auto& each) { return each.has_value(); })) return {};
       const std::optional<Ranges> of_all = predicted_ranges(together, row.numbers.n);
       const Descriptives all = describe_values(together);

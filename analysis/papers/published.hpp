@@ -40,8 +40,8 @@ using PrintedRows = std::vector<PrintedRow>;
 // Returns the row of a solver; null if there is none.
 const PrintedRow* row_of(const PrintedRows& rows, std::string_view solver);
 
-// Returns the rows of one metric from a table with the columns algorithm, metric, n and the statistics.
-PrintedRows printed_means(std::string_view paper, std::string_view table, std::string_view metric);
+// Returns the rows of one metric from the table `name` with the columns algorithm, metric, n and the statistics.
+PrintedRows printed_means(std::string_view paper, std::string_view name, std::string_view metric);
 
 // The range of each statistic, in the order of `statistics`.
 using Ranges = std::array<judge::Interval, statistics.size()>;

@@ -75,13 +75,13 @@ struct RateColumn {
 };
 
 // Returns the shares solved by solver, for the arms of a printed table that our studies have, in the table's order. An
-// empty `table` is the paper's own. For a paper with columns of means those columns are returned.
-std::vector<RateColumn> rates_of(const Repeated& repeated, std::string table = "");
+// empty `name` stands for the paper's own table. For a paper with columns of means those columns are returned.
+std::vector<RateColumn> rates_of(const Repeated& repeated, std::string name = "");
 // Returns "We reproduce the rates of README 1.4.6 for KDL on 11 of 13 arms and for KDL-RR on 12 of 13.", then the arms
 // on which a solver's rate is not reproduced. Empty if the paper prints no rates.
 std::vector<std::string> rates_sentences(const Repeated& repeated);
 // Returns our rates beside the printed ones. Without rows if the paper prints no rates.
-show::Table rates_table(const Repeated& repeated, const std::string& table = "");
+show::Table rates_table(const Repeated& repeated, const std::string& name = "");
 // Returns the figure of our rates minus the printed ones, with intervals. Of columns of means only the first is shown.
 // Nullopt if the figure would have no rate.
 std::optional<figures::Figure> rates_figure(const Repeated& repeated);

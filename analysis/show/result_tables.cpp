@@ -52,7 +52,8 @@ Cell value_cell(const Group& group, double value) {
 // Returns Wilson's interval [%] of a share of successes, if each value is a single trial; nullopt for other metrics.
 std::optional<Interval> share_interval(const JudgedMetric& judged, const Descriptives& descriptives) {
   if (!is_success_rate(judged) || trials_per_value(judged.samples) > 1 || descriptives.n == 0) return {};
-  const Interval share = wilson_interval(descriptives.mean / 100, descriptives.n, judged.plan.significance);
+  const Interval share = wilson_interval({.share = descriptives.mean / 100, .n = static_cast<double>(descriptives.n)},
+                                         judged.plan.significance);
   return Interval{100 * share.low, 100 * share.high};
 }
 

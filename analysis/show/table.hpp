@@ -95,13 +95,13 @@ std::string interval_text(const judge::Interval& interval, const std::vector<dou
 // says whether the end "low" or "high" is excluded.
 std::string to_csv(const Table& table);
 // Returns the table for readers in Markdown.
-std::string to_markdown(const Table& table);
+std::string to_markdown(const Table& whole);
 // Returns the table for readers in LaTeX, for the packages booktabs and graphicx.
-std::string to_latex(const Table& table);
+std::string to_latex(const Table& whole);
 // Returns the table for readers as an HTML element.
-std::string to_html(const Table& table);
+std::string to_html(const Table& whole);
 // Returns the table for readers as lines of a screen, with the unit at each number instead of in the head.
-std::string to_text(const Table& table);
+std::string to_text(const Table& whole);
 // Returns an array with an object per row. The members are the columns of the CSV, in lower case with _ for blanks.
 nlohmann::ordered_json to_json(const Table& table);
 

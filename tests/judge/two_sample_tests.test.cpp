@@ -139,10 +139,11 @@ TEST_CASE("the sign test leaves equal values out, and has the median's interval"
 }
 
 TEST_CASE("Wilson's and Newcombe's intervals are those published", "[tests_of_two]") {
-  check_interval(wilson_interval(0.9, 20, 0.05), 0.6989663548, 0.9721335188);  // R, prop.test(18, 20, correct = FALSE)
+  check_interval(wilson_interval({0.9, 20}, 0.05), 0.6989663548,
+                 0.9721335188);  // R, prop.test(18, 20, correct = FALSE)
   const double zz = 1.959963984540054 * 1.959963984540054;
-  check_interval(wilson_interval(0, 20, 0.05), 0, zz / (20 + zz));
-  check_interval(wilson_interval(1, 20, 0.05), 20 / (20 + zz), 1);
+  check_interval(wilson_interval({0, 20}, 0.05), 0, zz / (20 + zz));
+  check_interval(wilson_interval({1, 20}, 0.05), 20 / (20 + zz), 1);
   // Newcombe, Statistics in Medicine 17 (1998) 873, Table II, method 10.
   check_interval(newcombe_interval({56 / 70.0, 70}, {48 / 80.0, 80}, 0.05), 0.0524, 0.3339, 5.1e-5);
   check_interval(newcombe_interval({9 / 10.0, 10}, {3 / 10.0, 10}, 0.05), 0.1705, 0.8090, 5.1e-5);

@@ -269,12 +269,12 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Solv
   return study;
 }
 
-std::vector<Solves> runs_of(Solves rest) {
+std::vector<Solves> runs_of(Solves solves) {
   std::vector<Solves> runs;
-  while (!rest.empty()) {
-    const auto is_other = [&](const SolveSummary& solve) { return solve.run != rest.front().run; };
-    runs.push_back(rest.first(static_cast<std::size_t>(std::ranges::find_if(rest, is_other) - rest.begin())));
-    rest = rest.subspan(runs.back().size());
+  while (!solves.empty()) {
+    const auto is_other = [&](const SolveSummary& solve) { return solve.run != solves.front().run; };
+    runs.push_back(solves.first(static_cast<std::size_t>(std::ranges::find_if(solves, is_other) - solves.begin())));
+    solves = solves.subspan(runs.back().size());
   }
   return runs;
 }

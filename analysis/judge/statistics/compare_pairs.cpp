@@ -201,7 +201,8 @@ bool may_hide_failures(const AnalysisPlan& plan, const Trial& trial, double alph
   if (!are_equal && (has_width || trial.outcome.p < alpha)) return false;
   // If the plan has an absolute margin, which does not apply to shares, the relative margin is 0.
   const double rare = plan.margin > 0 ? plan.margin : AnalysisPlan().margin;
-  return 1 - wilson_interval(1, std::min(numbers.of_first.n, numbers.of_second.n), alpha).low > rare;
+  const auto n = static_cast<double>(std::min(numbers.of_first.n, numbers.of_second.n));
+  return 1 - wilson_interval({.share = 1, .n = n}, alpha).low > rare;
 }
 
 // Returns whether the means differ by less than the margin, too, where ranks decide. Ranks do not see how far apart

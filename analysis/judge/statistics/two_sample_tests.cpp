@@ -24,18 +24,24 @@ constexpr std::size_t exact_unpaired = 100, exact_paired = 1000;
 double number(auto count) { return static_cast<double>(count); }
 int sign_of(double value) { return (value > 0) - (value < 0); }
 
-// Returns Student's t test of an estimate with a standard error. If the error is 0, p is the smallest that permutations
-// give.
-UnadjustedTest t_of(double estimate, double error, double df, double smallest_p, double alpha) {
-  UnadjustedTest outcome{.estimate = estimate, .direction = sign_of(estimate)};
-  if (error == 0) {
-    outcome.p = estimate == 0 ? 1 : smallest_p;
+// A mean or a difference of means.
+struct MeanEstimate {
+  double value;
+  double error;  // standard error
+  double df;     // degrees of freedom of the error
+};
+
+// Returns Student's t test of an estimate. If the error is 0, p is the smallest that permutations give.
+UnadjustedTest t_of(const MeanEstimate& estimate, double smallest_p, double alpha) {
+  UnadjustedTest outcome{.estimate = estimate.value, .direction = sign_of(estimate.value)};
+  if (estimate.error == 0) {
+    outcome.p = estimate.value == 0 ? 1 : smallest_p;
     return outcome;
   }
-  const StudentsT t(df);
-  outcome.p = 2 * bm::cdf(bm::complement(t, std::abs(estimate) / error));
-  const double half = bm::quantile(bm::complement(t, alpha / 2)) * error;
-  outcome.interval = Interval{estimate - half, estimate + half};
+  const StudentsT t(estimate.df);
+  outcome.p = 2 * bm::cdf(bm::complement(t, std::abs(estimate.value) / estimate.error));
+  const double half = bm::quantile(bm::complement(t, alpha / 2)) * estimate.error;
+  outcome.interval = Interval{estimate.value - half, estimate.value + half};
   return outcome;
 }
 
@@ -319,8 +325,10 @@ UnadjustedTest welch(const SummaryStatistics& first, const SummaryStatistics& se
   const double m = first.n, n = second.n;
   const double u = first.sd * first.sd / m, v = second.sd * second.sd / n;
   const double smallest = min_p_unpaired(static_cast<std::size_t>(first.n), static_cast<std::size_t>(second.n));
-  return t_of(first.mean - second.mean, std::sqrt(u + v), df_of(u, std::min(m, worth), v, std::min(n, worth)), smallest,
-              alpha);
+  return t_of({.value = first.mean - second.mean,
+               .error = std::sqrt(u + v),
+               .df = df_of(u, std::min(m, worth), v, std::min(n, worth))},
+              smallest, alpha);
 }
 
 UnadjustedTest signed_rank_test(Values differences, double alpha) {
@@ -347,7 +355,7 @@ UnadjustedTest signed_rank_test(Values differences, double alpha) {
 UnadjustedTest t_test(Values differences, double alpha, double worth) {
   const SummaryStatistics summary = summarise(differences);
   const double n = summary.n;
-  return t_of(summary.mean, summary.sd / std::sqrt(n), std::max(1.0, std::min(n, worth) - 1),
+  return t_of({.value = summary.mean, .error = summary.sd / std::sqrt(n), .df = std::max(1.0, std::min(n, worth) - 1)},
               min_p_paired(differences.size()), alpha);
 }
 
@@ -362,17 +370,20 @@ UnadjustedTest sign_test(Values differences, double alpha) {
           .interval = quantile_interval(order, 0.5, alpha)};
 }
 
-Interval wilson_interval(double share, double n, double alpha) {
-  const double z = critical_z(alpha), zz = z * z / n;
+Interval wilson_interval(const Proportion& proportion, double alpha) {
+  const double share = proportion.share;
+  const double z = critical_z(alpha), zz = z * z / proportion.n;
   const double centre = (share + zz / 2) / (1 + zz);
   const double half = std::sqrt((share * (1 - share) + zz / 4) * zz) / (1 + zz);
   return {share == 0 ? 0 : centre - half, share == 1 ? 1 : centre + half};
 }
 
-Interval newcombe_interval(const Proportion& first, const Proportion& second, double alpha, double phi) {
-  const Interval of_first = wilson_interval(first.share, first.n, alpha);
-  const Interval of_second = wilson_interval(second.share, second.n, alpha);
-  const auto reach = [phi](double a, double b) { return std::sqrt(std::max(0.0, a * a - 2 * phi * a * b + b * b)); };
+Interval newcombe_interval(const Proportion& first, const Proportion& second, double alpha, double correlation) {
+  const Interval of_first = wilson_interval(first, alpha);
+  const Interval of_second = wilson_interval(second, alpha);
+  const auto reach = [phi = correlation](double a, double b) {
+    return std::sqrt(std::max(0.0, a * a - 2 * phi * a * b + b * b));
+  };
   return {first.share - second.share - reach(first.share - of_first.low, of_second.high - second.share),
           first.share - second.share + reach(of_first.high - first.share, second.share - of_second.low)};
 }

@@ -90,7 +90,7 @@ struct Proportion {
 };
 
 // Returns Wilson's interval of a share (JASA 22 (1927) 209), which may be a mean of shares.
-Interval wilson_interval(double share, double n, double alpha);
+Interval wilson_interval(const Proportion& proportion, double alpha);
 // Returns Newcombe's interval of first - second (Statistics in Medicine 17 (1998) 873, method 10; for correlated shares
 // 2635, method 10).
 Interval newcombe_interval(const Proportion& first, const Proportion& second, double alpha, double correlation = 0);
