@@ -50,7 +50,7 @@ class Asking {
         known_(known),
         is_long_(sheet.rows().size() * known.columns.size() > most_counted),
         rows_(std::span(sheet.rows()).first(is_long_ ? few_rows : sheet.rows().size())) {
-    for (const std::size_t column : known.columns) facts_.push_back(environment_values(column));
+    for (const std::size_t column : known.columns) facts_.push_back(facts_of(column));
   }
 
   MissingOption question(std::string_view what) const {
@@ -116,7 +116,7 @@ class Asking {
   void answer_rows(MissingOption& asked) const { add_answers_of_rows(asked, {}, known_.label, known_.values); }
 
  private:
-  Facts environment_values(std::size_t column) const {
+  Facts facts_of(std::size_t column) const {
     std::unordered_map<std::string_view, std::size_t> counts;
     Facts facts{.column = column, .has_numbers = sheet_.has_numbers(column), .is_index = has(known_.indices, column)};
     for (const std::uint32_t row : rows_) {
