@@ -213,9 +213,9 @@ struct Execution {
   RecordQueue& record_queue;
 };
 
-// Solves what some solvers lack of the units. The batches of these solvers have one size. A group is one unit, the
-// units of a batch, or two units if a call on the other one comes between the two calls on a target. The solvers take
-// turns at being first in a group.
+// Makes the solves that some solvers lack of the units. The batches of these solvers have one size. A group is one unit
+// or the units of a batch. A group has two units if a call on the other unit comes between the two calls on a target.
+// The solvers take turns at being first in a group.
 class GroupedWork {
  public:
   GroupedWork(const Execution& execution, const std::vector<std::size_t>& solvers, const std::vector<WorkUnit>& units)
@@ -231,7 +231,7 @@ class GroupedWork {
     groups_ = std::max<std::size_t>(1, (units.size() + rest) / group_size_);
   }
 
-  // Records are passed on whatever ends this, such as a solve that the check refuses.
+  // Records are passed on even if an exception ends the work, such as for a solve that the check refuses.
   void solve() {
     try {
       parallel_for(groups_ * solvers_.size(), execution_.jobs, execution_.cancelled,

@@ -127,8 +127,8 @@ bool can_have_used(const StopRule& stop, SolverKind kind, const SolveRecord& sol
          !exceeds_budget({.evaluations = solve.evaluations, .iterations = solve.iterations}, stop);
 }
 
-// Returns true if a solve has the results of the study's check: all its numbers if the answer reached its target, and
-// one reason if the answer is invalid. Without a check, no answer is invalid.
+// Returns true if a solve has the results of the study's check. An answer that reached its target has all numbers of
+// the check, and an invalid one has one reason. Without a check, no answer is invalid.
 bool has_check_results(const StudyDefinition& study, const SolveRecord& solve) {
   const bool is_invalid = solve.status == Status::invalid;
   if (study.check.process.empty()) return !is_invalid;
@@ -308,7 +308,7 @@ RerunReport rerun_sample(const Store& store, const StoredStudy& stored, std::int
       runners.try_emplace(series.label, study, entries[series.label] = *entry, series.key, *study.robot_of_file);
   }
   std::vector<SolveRecord> drawn;
-  std::mt19937_64 random(std::random_device{}());  // so that nobody can know the chosen solves before
+  std::mt19937_64 random(std::random_device{}());  // so that the chosen solves cannot be known before
   store.for_each_in_study(stored, [&](SolveRecord& solve) {
     if (!runners.contains(solve.label)) return;
     const auto place = std::uniform_int_distribution<std::int64_t>(0, report.eligible)(random);

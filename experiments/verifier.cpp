@@ -87,8 +87,8 @@ double angle_of(double difference) {
   return 2 * arc_tangent(sine, std::sqrt(std::max(0.0, 1 - sine * sine)));
 }
 
-// Returns the root mean square distance [m] of three points of the tool: its own point, and those `weight` [m] along
-// its x and y axes, or along its z axis both ways if the turn about that axis is free.
+// Returns the root mean square distance [m] of three points of the tool: its own point, and two points `weight` [m]
+// from it. The two lie on the x and y axes, or on both sides of the z axis if the turn about that axis is free.
 double pose_error(const Verification& verified, double weight) {
   const auto& difference = verified.pose_difference;
   const Eigen::Vector3d off = difference.col(3);

@@ -67,20 +67,20 @@ double seconds_since(Clock::time_point began) { return std::chrono::duration<dou
 // ProcessFailure if more is reported than the `passed` seconds allow.
 double reported_seconds_in(const Message& message, double passed) {
   const double seconds = message.number("seconds");
-  if (seconds < 0 || seconds > 1.1 * passed + 0.02)  // clocks differ, and some tick so rarely
+  if (seconds < 0 || seconds > 1.1 * passed + 0.02)  // clocks differ, and some tick only every 20 ms
     message.fail(fmt::format("\"seconds\" from 0 to {:.2g}, which passed", passed));
   return seconds == 0 ? std::nan("") : seconds;
 }
 
-// Returns the smallest share of the error at the start that so few evaluations can leave. A single evaluation tells
-// nothing of where to go, and no more evaluations than joints tell not even the slope.
+// Returns the smallest share of the error at the start that a solver can leave by these evaluations. One evaluation
+// gives no direction, and the slope needs more evaluations than there are joints.
 double min_error_ratio(std::int64_t evaluations, int joints) {
   if (evaluations == 1) return 1;
   return evaluations <= joints ? 0.1 : 0;
 }
 
-// Returns the smallest time [s] that a program can have taken that used `cpu_seconds`, with two threads and 1 ms for
-// messages.
+// Returns the smallest time [s] in which a program can have used `cpu_seconds`. The program may have two threads, and
+// 1 ms is for messages.
 constexpr double min_credible_seconds(double cpu_seconds) { return cpu_seconds / 2.2 - 0.001; }
 
 }  // namespace
@@ -239,7 +239,7 @@ void ExternalSolver::prepare(const Problem& problem, const Objective& objective)
           Objective uncounted(objective.arm(), objective.goal());
           exchange_solve(problem, uncounted, seed);
         });
-    } catch (const ProcessFailure& failure) {  // no target of the study fails by this: a new process solves them
+    } catch (const ProcessFailure& failure) {  // no target of the study fails, because a new process solves them
       if (failure.kind != ProcessFailure::Kind::declined) worker_.child.reset();
       ensure_running();
     }
@@ -360,8 +360,8 @@ Configuration ExternalSolver::select_answer(const Candidates& answers, const Exc
   return nearest;
 }
 
-// Returns true if the evaluations made here explain the answer: it is one of the candidates, and not too good to be
-// found by so few.
+// Returns true if the evaluations made here explain the answer: the answer is one of the candidates, and so few
+// evaluations can find it.
 bool ExternalSolver::explains_answer(const Exchange& exchange) const {
   const double ratio = min_error_ratio(exchange.objective.evaluations(), exchange.problem.joints());
   const bool is_too_good = best_.error < ratio * exchange.error_at_start;

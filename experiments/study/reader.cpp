@@ -99,8 +99,8 @@ void read_part(TomlReader reader, Part& part) {
   reader.refuse_unknown_keys();
 }
 
-// Reads the study's arm: that of a store, a built-in arm, or a file in the study's folder (in the current folder if
-// --set gave the file).
+// Reads the study's arm: the arm of a store, a built-in arm, or a file. A file is in the study's folder, or in the
+// current folder if --set gave its name.
 Robot read_arm(const TomlReader& reader, Study& study, const ArmOfStore& arm_of_store) {
   if (arm_of_store && !reader.table().get("robot")->source().path) {
     study.robot_of_file = std::make_shared<const Robot>(arm_of_store(study.urdf));
@@ -378,9 +378,9 @@ std::string no_study(const std::filesystem::path& file) {
 
 namespace {
 
-// Returns the labels that a name means if no label is written so: labels in other cases of letters, or if there are
-// none those of the solver with this name, or with this abbreviation in tables. Throws std::invalid_argument if there
-// are none.
+// Returns the labels that a name means if no label is written so. These are labels in other cases of letters. If there
+// are none, they are the labels of the solver with this name, or with this abbreviation in tables. Throws
+// std::invalid_argument if no label is meant.
 std::vector<std::string> labels_like(const Study& study, const std::string& name) {
   std::vector<std::string> labels, by_solver;
   const std::string wanted = lower_case(name), solver = solver_named(name);

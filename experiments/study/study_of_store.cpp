@@ -24,8 +24,7 @@ using namespace results;
 namespace {
 
 // Returns the arm that was solved. A built-in arm, or the arm of a file in the current folder, is taken if it is still
-// the stored arm, because the store keeps an arm only to the rounding of its degrees, and has no URDF text for
-// programs.
+// the stored arm. The store keeps an arm only to the rounding of its degrees, and has no URDF text for programs.
 Robot arm_in(const StoredStudy& stored, const robots::UrdfChoice& urdf) {
   const std::string& name = stored.definition.robot;
   const auto is_same = [&](const Robot& arm) { return arm_json(arm) == parsed_json(stored.definition.arm); };

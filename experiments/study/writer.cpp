@@ -147,8 +147,8 @@ std::optional<Study> original_of(const Study& study) {
 }
 
 // Returns true if a setting, named as in a flat definition, may differ from the original study. The options of solvers
-// are compared apart. The arm may differ if the targets are random, so that each row of a table has its own arm; the
-// limits of the arm may then move the initial configuration.
+// are compared apart. The arm may differ if the targets are random, because each row of a table may have its own arm.
+// The limits of the arm may then move the initial configuration.
 bool may_differ(const std::string& pointer, const Study& original) {
   constexpr std::array<std::string_view, 5> free_settings{"/name", "/title", "/seed", "/trace", "/rounds"};
   constexpr std::array<std::string_view, 3> free_tables{"/analysis/", "/figures/", "/solvers/"};
