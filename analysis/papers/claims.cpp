@@ -104,7 +104,7 @@ show::Blocks claims_section(const std::vector<JudgedClaim>& claims) {
 
 std::string screen(const std::vector<std::string>& sentences, const show::Table& table,
                    const std::vector<JudgedClaim>& claims) {
-  std::string text, last;  // verdict
+  std::string text, last;  // the verdict that was written last
   const auto add = [&](const std::string& words, const std::string& first = "") {
     const std::string indent(std::max<std::size_t>(2, first.size()), ' ');
     text += show::wrapped_paragraph(words, indent, first);

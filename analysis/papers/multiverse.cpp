@@ -26,13 +26,15 @@ std::size_t place_of(const Names& all, std::string_view name) {
   return static_cast<std::size_t>(std::ranges::find(all, name) - all.begin());
 }
 
-// If it is that a solver is better in error, variation or their spread.
+// Returns whether a claim says that a solver is better in error, joint motion or the spread of one of these. Only such
+// a claim is judged in all interpretations.
 bool hangs_on_reading(const Claim& claim) {
   return claim.rule != nullptr && claim.rule->name == "better" && claim.metrics.size() == 1 && claim.study.empty() &&
          contains(metrics_of_readings, claim.metrics.front()->column);
 }
 
-// None if a solver of the claim is missing.
+// Returns in how many interpretations the claim holds, fails and stays open; no counts if a solver of the claim is
+// missing.
 InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, const results::AnalysisPlan& plan) {
   const Names& solvers = multiverse.solvers;
   const std::size_t k = solvers.size(), metric = claim.metrics.front()->column == metrics_of_readings[0] ? 0 : 1;
@@ -41,11 +43,11 @@ InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, c
   for (const std::string& solver : claim.against.empty() ? solvers : claim.against)
     if (!contains(claim.solvers, solver)) rivals.push_back(place_of(solvers, solver));
   if (contains(own, k) || contains(rivals, k)) return {};
-  // Each pair is tested by Welch's t at its part of the significance, as a report judges a pair of these solvers.
+  // Each pair is tested by Welch's t at its part of the significance, as a report tests a pair of these solvers.
   const AnalysisPlan of_pair{.test = AnalysisPlan::Test::means,
                              .significance = plan.significance / (static_cast<double>(k * (k - 1)) / 2),
                              .margin = plan.margin};
-  std::map<std::pair<std::size_t, std::size_t>, Verdict> known;  // many readings share a pair
+  std::map<std::pair<std::size_t, std::size_t>, Verdict> known;  // verdicts, since many interpretations share a pair
   const auto verdict = [&](std::size_t one, std::size_t other) {
     const auto [place, is_new] = known.try_emplace({one, other});
     if (!is_new) return place->second;
@@ -55,7 +57,7 @@ InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, c
     return place->second = verdict_of(compare_pairs(samples, of_pair).front());
   };
   InReadings counts;
-  std::map<std::string, std::int64_t> failing;  // readings, by setting
+  std::map<std::string, std::int64_t> failing;  // interpretations in which the claim fails, by setting
   for (const auto& [settings, parts] : multiverse.readings) {
     for (std::size_t seed = 0; seed < parts[0].size(); ++seed) {
       Tally tally;

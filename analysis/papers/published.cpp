@@ -14,10 +14,10 @@ using base::CsvTable;
 
 namespace {
 
-// From (0, 1), the same on every machine.
+// Returns a random number between 0 and 1, without both ends. The number is the same on every machine.
 double open_uniform(std::mt19937_64& engine) { return (static_cast<double>(engine() >> 32) + 0.5) * 0x1p-32; }
 
-// Mean excess of the outermost fifth over the next.
+// Returns the mean distance of the outermost fifth of the values from the value before it.
 double tail_slope(const std::vector<double>& outwards) {
   const std::size_t tail = std::max<std::size_t>(2, outwards.size() / 5);
   double sum = 0;
@@ -29,7 +29,7 @@ double tail_slope(const std::vector<double>& outwards) {
 }  // namespace
 
 bool can_be(const judge::Interval& interval, std::string_view printed) {
-  constexpr double room = 1 + 1e-9;  // 2.5 printed as 2 is half a unit off, and doubles are not exact
+  constexpr double room = 1 + 1e-9;  // for rounding: 2.5 printed as 2 is exactly half a unit off
   const double number = base::number_from(printed).value(), half = base::last_digit(printed) / 2 * room;
   return interval.low <= number + half && number - half <= interval.high;
 }
@@ -61,7 +61,7 @@ PrintedRows printed_means(std::string_view paper, std::string_view name, std::st
 }
 
 std::optional<Ranges> predicted_ranges(const std::vector<double>& values, int runs) {
-  constexpr std::size_t studies = 500, least = 12, most = 487;  // of the sorted ones: 2.5 and 97.5 %
+  constexpr std::size_t studies = 500, least = 12, most = 487;  // places of 2.5 and 97.5 % among 500
   if (values.size() < 5 || std::ranges::min(values) <= 0) return {};
   std::vector<double> logs;
   for (const double value : values) logs.push_back(std::log(value));

@@ -72,7 +72,8 @@ show::Table means_table(const Repeated& repeated, const SeedCounts& counts) {
   for (const std::string& solver : study.labels) table.rows.push_back({solver});
   for (const JudgedMetric& judged : repeated.study().metrics) {
     const PrintedRows printed = printed_rows(repeated.paper, judged);
-    if (printed.empty() || judged.samples.quantity_kind == QuantityKind::time) continue;  // of another machine
+    // Printed times are of another machine.
+    if (printed.empty() || judged.samples.quantity_kind == QuantityKind::time) continue;
     table.columns.push_back({judged.samples.quantity, judged.samples.unit});
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
       table.rows[i].push_back(beside(judged, study.labels[i], row_of(printed, study.labels[i])).front());
@@ -102,16 +103,16 @@ show::Table means_table(const Repeated& repeated, const SeedCounts& counts) {
 
 namespace {
 
-// Without what computing added: 98.55 of 98.55000000000001, which one decimal would part.
+// Returns the value without rounding errors: 98.55 for 98.55000000000001, which may have another first decimal.
 double rounded(double value) { return std::round(1e10 * value) / 1e10; }
 
-// A share here beside a printed one.
+// A share of the repeated study, with the printed share that belongs to it.
 struct SharePair {
   std::string row;
-  double share = 0, n = 0;  // here
+  double share = 0, n = 0;  // of the repeated study
   std::string_view digits;  // as printed, in parts of `unit`
   double n_printed = 0;
-  double unit = 1;  // what a share of 1 is printed as: 100 for percent, or the number of targets
+  double unit = 1;  // the printed number for a share of 1: 100 for percent, or the number of targets
 };
 
 Rate make_rate(SharePair pair, const Repeated& repeated) {
@@ -156,8 +157,8 @@ std::vector<RateColumn> columns_of_means(const Repeated& repeated) {
                                      repeated));
         continue;
       }
-      constexpr double margin = 0.1;  // of means that a few hard targets decide
-      constexpr int least = 20;       // of fewer, their spread is not known
+      constexpr double margin = 0.1;  // as a share, since a few hard targets decide a mean
+      constexpr int least = 20;       // with fewer values the spread is not known
       const double printed = base::number_from(digits).value(),
                    sd = its.n < least ? std::numeric_limits<double>::infinity() : its.sd,
                    half = critical_z(1 - repeated.paper.rates.level) * sd * std::sqrt(1. / its.n + 1 / n);
@@ -220,8 +221,8 @@ std::vector<RateColumn> rates_of(const Repeated& repeated, std::string name) {
 
 namespace {
 
-// Returns sentences about columns of means: how many numbers are as printed, for which solvers nearly as many targets
-// are not solved, and which numbers are not as printed.
+// Returns sentences about columns of means. They say how many numbers are as printed, which solvers leave nearly as
+// many targets unsolved as printed, and which numbers are not as printed.
 std::vector<std::string> means_sentences(const std::vector<RateColumn>& columns) {
   std::int64_t all = 0, repeat = 0, open = 0;
   std::vector<std::string> same, others;
@@ -266,11 +267,11 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
     for (const RateColumn& column : rates_of(repeated, name)) {
       std::vector<std::string> others;
       std::int64_t repeat = 0, open = 0;
-      double least = 1e9, most = 0;  // times
+      double least = 1e9, most = 0;  // ratios of times
       for (const Rate& rate : column.rates) {
         repeat += rate.sign() == "~";
         open += rate.sign() == "?";
-        if (rate.sign() == "x")  // "Jaco2 31 % (paper 26.23)"
+        if (rate.sign() == "x")
           others.push_back(fmt::format("{} {:.1f} % (paper {})", rate.row, rounded(rate.ours), rate.digits));
         if (rate.printed_ms.empty()) continue;
         const double ratio = rate.mean_ms / base::number_from(rate.printed_ms).value();
@@ -321,7 +322,7 @@ show::Table rates_table(const Repeated& repeated, const std::string& name) {
       };
       auto row = std::ranges::find_if(table.rows, is_its);
       if (row == table.rows.end()) row = table.rows.insert(row, {show::Cell(row_name)});
-      row->resize(before);  // a column may lack a row
+      row->resize(before);  // an earlier column may lack this row
       row->emplace_back(show::PublishedNumber{rounded(rate.ours), rate.digits, std::string(rate.sign())});
       if (!rate.printed_ms.empty()) row->emplace_back(show::PublishedNumber{rate.mean_ms, rate.printed_ms});
       signs.insert(rate.sign());
@@ -359,7 +360,7 @@ std::optional<figures::Figure> rates_figure(const Repeated& repeated) {
   const Rates& plan = repeated.paper.rates;
   std::vector<figures::IntervalRow> rows;
   std::vector<RateColumn> columns = rates_of(repeated);
-  if (!plan.is_of_arms()) columns.resize(std::min<std::size_t>(columns.size(), 1));  // of one unit
+  if (!plan.is_of_arms()) columns.resize(std::min<std::size_t>(columns.size(), 1));  // other columns have other units
   for (const auto& [solver, rates] : columns) {
     for (const Rate& rate : rates)
       rows.push_back({.label = plan.is_of_arms() ? fmt::format("{}: {}", solver, rate.row) : rate.row,

@@ -25,12 +25,13 @@ using Names = std::vector<std::string>;
 
 bool has(const Names& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
-// The study that the claim is about; null if it is not there.
+// Returns the study that the claim is about; null if the study was not repeated.
 const JudgedStudy* part_of(const Claim& claim, const Repeated& repeated) {
   return claim.study.empty() ? &repeated.study() : repeated.part(claim.study);
 }
 
-// A rival has the name of one of the claim's solvers only where it is another study's, and asked for.
+// Returns the name of a rival among the claim's solvers. A rival that has the name of one of them is named with its
+// study.
 std::string name_of_rival(const std::string& name, const Claim& claim) {
   return has(claim.solvers, name) ? fmt::format("{} of {}", name, claim.study) : name;
 }
@@ -40,13 +41,14 @@ bool is_rival(const std::string& name, const Claim& claim) {
       claim.against, [&](const std::string& rival) { return name == rival || name == name_of_rival(rival, claim); });
 }
 
-// A claim's family is the pairs of its metric: the metrics that the plan names besides are no part of what is claimed.
+// Judges a metric by itself. The family of a claim is the pairs of its metric, because the claim says nothing about
+// further metrics of the plan.
 JudgedMetric judged_in(const JudgedStudy& study, const Metric& metric) {
   return judge::judge(make_samples(study.study, metric), study.study.definition.plan);
 }
 
-// Leaves the claim's solvers and their rivals. None if one of the former or all of the latter are missing, or some are
-// without observations.
+// Returns the metric with only the claim's solvers and their rivals. Empty if one of these solvers or all rivals are
+// missing, or if a group has no values.
 std::optional<JudgedMetric> about(const Claim& claim, JudgedMetric judged) {
   std::vector<Group>& groups = judged.samples.groups;
   for (std::size_t i = groups.size(); i-- > 0;) {
@@ -60,14 +62,14 @@ std::optional<JudgedMetric> about(const Claim& claim, JudgedMetric judged) {
   return has_own && has_all ? std::optional(std::move(judged)) : std::nullopt;
 }
 
-// The claim's solvers and others, each from its study.
+// Returns a metric of the claim's solvers and their rivals, each from its study; empty as `about` says.
 std::optional<JudgedMetric> judged_here(const Claim& claim, const Repeated& repeated, const Metric& metric) {
   const JudgedStudy* const part = part_of(claim, repeated);
   if (part == nullptr) return {};
   const JudgedStudy* const own = claim.from == From::others ? &repeated.study() : part;
   const JudgedStudy* const others = claim.from == From::solvers ? &repeated.study() : part;
   JudgedMetric judged = judged_in(*own, metric);
-  if (own != others) {  // no report has a finding of these pairs
+  if (own != others) {  // no report compares solvers of two studies
     MetricSamples& all = judged.samples;
     std::erase_if(all.groups, [&](const Group& group) { return !has(claim.solvers, group.name); });
     MetricSamples theirs = judged_in(*others, metric).samples;
@@ -91,7 +93,7 @@ double mean_of(const JudgedMetric& judged, std::string_view solver) {
   return judged.descriptives[index_of(judged.samples, solver)].mean;
 }
 
-// "at most 1e-06" where the study ends its solves there.
+// Returns the mean as text: "at most 1e-06" if the mean is within the tolerance, which ends solves.
 std::string mean_words(const JudgedMetric& judged, const std::string& solver) {
   const Group& group = judged.samples.groups[index_of(judged.samples, solver)];
   const double mean = mean_of(judged, solver);
@@ -99,7 +101,7 @@ std::string mean_words(const JudgedMetric& judged, const std::string& solver) {
   return (group.tolerance > 0 && mean <= group.tolerance ? "at most " : "") + number_text(mean);
 }
 
-// The others by their means, the smallest first.
+// Returns the solvers that are not `own`, in the order of their means, the smallest first.
 Names rivals_of(const JudgedMetric& judged, const Names& own) {
   Names rivals;
   for (const Group& group : judged.samples.groups)
@@ -108,7 +110,7 @@ Names rivals_of(const JudgedMetric& judged, const Names& own) {
   return rivals;
 }
 
-// Solvers of the companion that give the claim's solver's answers, bit for bit.
+// Returns the rivals of another study that give the same answers as the claim's solver, bit for bit.
 Names same_there(const Claim& claim, const Repeated& repeated) {
   Names same;
   const JudgedStudy* const part = part_of(claim, repeated);
@@ -124,7 +126,8 @@ Verdict verdict_of_difference(const Interval& difference) {
   return difference.high < 0 ? Verdict::worse : Verdict::inconclusive;
 }
 
-// A larger share on each arm than the best of the rivals, by the interval of the difference: programs have other poses.
+// Judges the claim that a solver solves a larger share than the best rival on each arm. The interval of the difference
+// decides, because programs were asked for other poses.
 JudgedClaims solves_most(const Claim& claim, const Repeated& repeated) {
   JudgedClaim result{claim};
   Tally tally;
@@ -176,7 +179,7 @@ JudgedClaims better(const Claim& claim, const Repeated& repeated) {
   return {result};
 }
 
-// A solver is ahead of another if it is worse in no metric and better in some.
+// Returns the verdict over all metrics: better if a solver is worse in no metric and better in one or more.
 Verdict verdict_of_metrics(const Tally& metrics) {
   if (metrics.worse > 0) return Verdict::worse;
   if (metrics.better > 0) return Verdict::better;
@@ -221,7 +224,7 @@ JudgedClaims differ(const Claim& claim, const Repeated& repeated) {
   return {result};
 }
 
-// At most ten times the spacing of doubles at the farthest target.
+// Judges the claim that all errors are rounding: at most ten times the spacing of doubles at the farthest target.
 JudgedClaims at_rounding(const Claim& claim, const Repeated& repeated) {
   const JudgedStudy* const judged = part_of(claim, repeated);
   const std::string& solver = claim.solvers.front();
@@ -251,7 +254,7 @@ Holds repeats_printed(const Rate& rate) {
   return rate.sign() == "~" ? Holds::holds : Holds::undecided;
 }
 
-// A claim of each solver, over all arms, or of each printed column.
+// Returns a claim per solver, over all arms, or per printed column: the numbers are as printed.
 JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
   JudgedClaims judged;
   const bool is_of_arms = repeated.paper.rates.is_of_arms();
