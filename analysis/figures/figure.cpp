@@ -35,7 +35,8 @@ constexpr EmbeddedFile style_file[]{
 #include "style.inc"
 };
 
-// Removes pictures of an earlier report; a link or a device in their place is not ours to remove.
+// Removes pictures of an earlier report, except those of the types in `but_not`. A link or a device in the place of a
+// picture was not made by a report, and stays.
 void remove_pictures(const Figure& figure, const std::filesystem::path& folder,
                      const std::vector<std::string>& but_not) {
   for (const std::string& type : results::picture_formats) {
@@ -46,9 +47,8 @@ void remove_pictures(const Figure& figure, const std::filesystem::path& folder,
   }
 }
 
-// Adds to an SVG picture what gnuplot cannot write: a size in units of length, a title, and other fonts for machines
-// that lack the first. Makes strokes of points as thick as in other pictures: gnuplot's are 1 pt times the size,
-// whatever the width of lines.
+// Adds a size in units of length, a title and further fonts to an SVG picture, which gnuplot cannot write. Also makes
+// the strokes of points as thick as in other pictures, because gnuplot draws them 1 pt times the size of the point.
 void complete_svg(std::string& svg, const Figure& figure) {
   const std::size_t box = svg.find("viewBox=\"0 0 "), end = svg.find('"', box + 13);
   if (box == std::string::npos || end == std::string::npos) return;
@@ -63,20 +63,21 @@ void complete_svg(std::string& svg, const Figure& figure) {
   boost::replace_all(svg, "<title>Gnuplot</title>", "<title>" + title + "</title>");
   boost::replace_all(svg, "font-family=\"Liberation Sans\"",
                      "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"");
-  boost::replace_all(svg, "]]>", "]]&gt;");  // gnuplot leaves the > of a label as it is, and XML forbids ]]> in a text
+  boost::replace_all(svg, "]]>", "]]&gt;");  // gnuplot writes the > of a label, and XML forbids ]]> in a text
 }
 
-// The last bytes of a complete picture of a type.
+// Returns the last bytes of a complete picture of this type.
 std::string_view end_of_picture(const std::string& type) {
   if (type == "svg") return "</svg>";
   return type == "pdf" ? "%%EOF" : "IEND\xAE\x42\x60\x82";
 }
 
-// Draws in the workshop, then writes the pictures to their place. Returns what gnuplot warns of, such as data that it
-// cannot read. Throws std::invalid_argument with the reason if it could not draw, std::runtime_error if a disk is full.
+// Draws in the folder `workshop`, then writes the pictures to the folder above. Returns the warnings of gnuplot, such
+// as those of unreadable data. Throws std::invalid_argument with the reason if nothing could be drawn, and
+// std::runtime_error if a picture was cut, as by a full disk.
 std::string draw(const Figure& figure, const std::filesystem::path& workshop, const RenderOptions& options) {
   const std::string& gnuplot = options.gnuplot;
-  // -d gives the same look whatever ~/.gnuplot says; without a locale of UTF-8 gnuplot 6 warns.
+  // With -d the settings of ~/.gnuplot change nothing. Without a locale of UTF-8 gnuplot 6 warns.
   const ChildProcess::Ran result =
       ChildProcess::run({gnuplot, "-d", figure.name + ".gp"}, workshop / sources, {"LC_ALL=C.UTF-8"});
   if (!result.succeeded)
@@ -95,7 +96,7 @@ std::string draw(const Figure& figure, const std::filesystem::path& workshop, co
   return result.output.find("warning:") == std::string::npos ? "" : result.output;
 }
 
-// The complete script of a figure.
+// Returns the complete script of a figure.
 std::string script_of(const Figure& figure, const std::vector<std::string>& formats) {
   std::string script = fmt::format(
       "# To draw it again, into the folder above: gnuplot {0}.gp\nwidth_cm = {1}\nheight_cm = {2}\nlegend = {3}\n"
@@ -112,7 +113,7 @@ std::string script_of(const Figure& figure, const std::vector<std::string>& form
   return script + "unset output\n";
 }
 
-// The scripts and the style, with their texts.
+// Returns the texts of the scripts and of the style, by their file names.
 std::map<std::string, std::string> sources_of(const std::vector<Figure>& figures, const FigureStyle& look) {
   std::string style(style_file->text);
   const std::pair<std::string_view, std::string> values[]{{"TEXT_PT", text_of(look.text_pt)},
@@ -132,7 +133,7 @@ std::map<std::string, std::string> sources_of(const std::vector<Figure>& figures
 void refuse_missing_font(const FigureStyle& style, const std::vector<std::string>& labels) {
   std::map<std::uint32_t, std::string> characters;  // beyond ASCII, with the label that has it
   for (const std::string& label : labels) {
-    const std::string line = one_line(label);  // of valid UTF-8
+    const std::string line = one_line(label);  // valid UTF-8
     for (boost::u8_to_u32_iterator at(line.begin(), line.begin(), line.end()); at.base() != line.end(); ++at) {
       if (*at >= 0x80) characters.emplace(*at, label);
     }
@@ -168,7 +169,7 @@ std::vector<std::string> write_figures(const std::vector<Figure>& figures, const
   std::vector<std::string> warnings(figures.size());
   const auto work = [&] {
     for (std::size_t turn = next++; turn < figures.size(); turn = next++) {
-      const std::size_t i = figures.size() - 1 - turn;  // the longest is the last; no processor waits for it
+      const std::size_t i = figures.size() - 1 - turn;  // the figure that takes longest is the last, so it begins first
       const Figure& figure = figures[i];
       try {
         const std::string warning = draw(figure, workshop.path(), options);

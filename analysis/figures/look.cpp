@@ -21,7 +21,7 @@ using namespace results;
 
 namespace {
 
-// By place in the palette. In most studies of up to seven solvers all places are different.
+// The solvers that have a place in the palette. In most studies of up to seven solvers all places are different.
 const std::vector<std::vector<std::string_view>> own_solvers{{"ik_bat"},
                                                              {"bat", "newton"},
                                                              {"differential_evolution", "nlopt"},
@@ -30,7 +30,7 @@ const std::vector<std::vector<std::string_view>> own_solvers{{"ik_bat"},
                                                              {"multi_objective_swarm", "damped_least_squares"},
                                                              {"random_search", "kdl_newton"}};
 
-// The place of a colour, which is added if the palette lacks it.
+// Returns the place of a colour, which is added if the palette lacks the colour.
 std::size_t place_in(std::vector<std::string>& palette, const std::string& colour) {
   const auto is_same = [&](const std::string& other) { return hex_colour(other) == hex_colour(colour); };
   const auto found = std::ranges::find_if(palette, is_same);
@@ -39,12 +39,12 @@ std::size_t place_in(std::vector<std::string>& palette, const std::string& colou
   return place;
 }
 
-// True if a figure has a "caption", or a title of the axis "x" or "y".
+// Returns whether a figure has a "caption", or a title of the axis "x" or "y".
 bool has_part(const Figure& figure, const std::string& part) {
   return part == "caption" || (figure.settings + figure.plot).find(part + "_title") != std::string::npos;
 }
 
-// Gives a part of a figure another text; an empty one changes nothing.
+// Gives a part of a figure another text. An empty text changes nothing.
 void reword(Figure& figure, const std::string& part, const std::string& text) {
   if (text.empty()) return;
   if (part == "caption")
@@ -101,7 +101,8 @@ std::map<std::string, int> line_styles(const std::vector<Series>& solvers, Figur
     const std::size_t place = place_in(style.palette, style.colours.at(solver.label));
     give(solver, place, place + 1);
   }
-  for (const std::size_t n : {std::min(own_colours, solvers.size()), solvers.size()}) {  // the first share no colour
+  // The first solvers share no colour.
+  for (const std::size_t n : {std::min(own_colours, solvers.size()), solvers.size()}) {
     for (const Series& solver : std::span(solvers).first(n)) {
       const auto is_of = [&](const auto& solvers_of) { return std::ranges::count(solvers_of, solver.algorithm) > 0; };
       const auto place = static_cast<std::size_t>(std::ranges::find_if(own_solvers, is_of) - own_solvers.begin());
@@ -117,7 +118,7 @@ std::map<std::string, int> line_styles(const std::vector<Series>& solvers, Figur
 }
 
 Look look_of(std::vector<Series> solvers, FigureStyle style) {
-  std::ranges::stable_sort(solvers, {}, [&](const Series& solver) {  // those that are not shown come last
+  std::ranges::stable_sort(solvers, {}, [&](const Series& solver) {  // solvers that are not shown come last
     return std::ranges::find(style.solvers, solver.label) - style.solvers.begin();
   });
   Look look{.style = std::move(style)};
@@ -139,7 +140,7 @@ Look look_of(const JudgedStudy& judged, FigureStyle style) {
   const auto is_among_first = [&](const Series& solver) {
     return std::ranges::find(first, solver.label) - first.begin() < std::ssize(style.palette);
   };
-  // Which of them has which colour is no matter of its place.
+  // The place of a solver in the report decides whether it has a colour of its own, but not the colour.
   std::stable_partition(solvers.begin(), solvers.end(), is_among_first);
   Look look = look_of(std::move(solvers), std::move(style));
   look.style.solvers = std::move(order);

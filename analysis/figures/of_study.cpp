@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::string_view error = "position_error_cm", motion = "variation_deg", time = "seconds";
 
-// Targets that have an order.
+// Returns whether the targets of a study have an order.
 bool is_path(const StudyResults& study) { return !study.definition.draws_targets && study.definition.points > 1; }
 
 std::string observation_of(const StudyResults& study, const Metric& metric) {
@@ -41,7 +41,7 @@ std::string caption_of_boxes(std::string_view quantity, std::string_view observa
       quantity, observation);
 }
 
-// None where solvers solved different targets, and so their values do not compare.
+// Makes a figure of boxes; nullopt if solvers solved different targets, so that their values cannot be compared.
 std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view column, const Look& look) {
   const JudgedMetric* const values = find_metric(judged, column);
   if (values == nullptr || is_conditional_on_success(values->samples)) return std::nullopt;
@@ -59,7 +59,7 @@ std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_vie
     return each.samples.quantity_kind == metric_named(column).quantity_kind && !is_proportion(each.samples);
   });
   if (metric == judged.metrics.end()) return judged.study.labels;
-  const auto has_warning = [&](const Group& group) {  // of several reasons a group has the first
+  const auto has_warning = [&](const Group& group) {  // a group with several reasons has only the first
     return std::ranges::any_of(metric->samples.warnings, [&](const Warning& warning) {
       return warning.kind != WarningKind::dominated_by_few &&
              (warning.solvers.empty() || std::ranges::count(warning.solvers, group.name) > 0);
@@ -74,7 +74,7 @@ std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_vie
   return without;
 }
 
-// A figure of the shares of attempts that succeeded within a cost.
+// The parts of a figure that shows which share of attempts succeeded within a cost.
 struct ShareFigure {
   About about;
   std::string y_axis;
@@ -82,12 +82,12 @@ struct ShareFigure {
   double dashed = nowhere;                     // a cost that matters; NaN: none
 };
 
-// The cost of a solve is NaN if it has none, as an attempt that failed.
+// Makes a figure of shares; nullopt if fewer than two solvers are left. `cost` returns NaN for an attempt that failed.
 std::optional<Figure> shares_of(const StudyResults& study, ShareFigure figure, const Look& look, auto cost) {
   std::vector<std::string> solvers = drawn_solvers(study, look, true), left_out;
   for (const std::string& solver : figure.not_compared)
     if (std::erase(solvers, solver) > 0) left_out.push_back(look.names.at(solver));
-  if (!left_out.empty() && solvers.size() < 2) return std::nullopt;  // nothing to see it against
+  if (!left_out.empty() && solvers.size() < 2) return std::nullopt;  // nothing to compare with
   if (!left_out.empty())
     figure.about.caption +=
         fmt::format(" Left out: {}, whose {} cannot be compared.", names_of(left_out), figure.about.quantity);
@@ -146,7 +146,7 @@ std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) 
   const Metric& metric = metric_named(error);
   const auto [unit, factor] = drawn_unit(study, metric.unit);
   const double tolerance = factor * study.definition.stop.tolerance_cm();
-  if (tolerance <= factor * metric.floor) return std::nullopt;  // no line where smaller errors are not told apart
+  if (tolerance <= factor * metric.floor) return std::nullopt;  // errors below the floor have no line
   const About about =
       about_of(study, metric,
                fmt::format("Share of targets within a position error{}, up to 1000 times the tolerance (dashed).",
@@ -160,7 +160,8 @@ std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) 
 std::optional<Figure> metric_boxes(const JudgedStudy& judged, const Look& look) {
   const std::string& column = judged.study.definition.plan.metric;
   const bool is_drawn = column == error || column == time || column == motion;
-  const auto metric = std::ranges::find(metrics(), column, &Metric::column);  // none: by default, or of a check
+  // No metric is found if the plan names none, or a number of the study's check.
+  const auto metric = std::ranges::find(metrics(), column, &Metric::column);
   const bool has_boxes = metric != metrics().end() && metric->kind != MetricKind::success_rate;
   return is_drawn || !has_boxes ? std::nullopt : boxes_of(judged, column, look);
 }
@@ -174,7 +175,7 @@ std::optional<Figure> error_by_iteration(const JudgedStudy& judged, const Look& 
 
 const JudgedMetric& deciding(const JudgedStudy& judged) { return judged.metrics[judged.primary]; }
 
-// Without solvers of another machine, whose targets and angles are not here.
+// Returns the look without solvers of another machine, whose targets and angles are not in the store.
 Look of_this_machine(const StudyResults& study, Look look) {
   std::erase_if(look.style.solvers, [&](const std::string& solver) { return study.imported.has(solver); });
   return look;
@@ -257,10 +258,10 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
 
 namespace {
 
-// The pairs that a figure of differences shows, the better solver first where it is not the control.
+// The pairs that a figure of differences shows. The better solver is the first, but a control is always the second.
 struct ShownPairs {
   std::vector<Comparison> pairs;
-  bool is_only_first = false;  // too many pairs: only those of the first solver
+  bool is_only_first = false;  // true: there are too many pairs, so only those of the first solver are shown
 };
 
 ShownPairs shown_pairs(const JudgedMetric& metric, const std::vector<std::string>& shown) {
@@ -296,7 +297,7 @@ std::string drawn_name(bool are_shares, const DrawnUnit& unit, bool are_ratios) 
   return are_shares ? "points" : unit.name;
 }
 
-// The labels of a figure of differences. A solver that all pairs have stands above the rows, not in each of them.
+// The labels of a figure of differences. A solver that is in all pairs is named above the rows, not in each row.
 struct PairLabels {
   const Look& look;
   bool is_first_shared, is_second_shared;
@@ -317,7 +318,7 @@ struct PairLabels {
     const char joint = character_count(first + second) > 30 ? '\n' : ' ';
     return fmt::format("{} {}{}{}", first, sign(pair), joint, second);
   }
-  // The row above the others; nullopt if no solver is shared.
+  // Returns the row above the others; nullopt if no solver is in all pairs.
   std::optional<IntervalRow> head(const std::vector<Comparison>& pairs) const {
     if (!is_first_shared && !is_second_shared) return std::nullopt;
     const Comparison& pair = pairs.front();
@@ -349,7 +350,7 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
                                      const std::vector<std::string>& shown, const Look& look) {
   const MetricSamples& samples = metric.samples;
   const auto [pairs, is_only_first] = shown_pairs(metric, shown);
-  if (std::ranges::all_of(pairs, all_values_equal)) return std::nullopt;  // or there are none
+  if (std::ranges::all_of(pairs, all_values_equal)) return std::nullopt;  // also if there are no pairs
   const PairLabels labels(pairs, look);
   std::vector<IntervalRow> rows;
   if (const std::optional<IntervalRow> head = labels.head(pairs)) rows.push_back(*head);
@@ -368,7 +369,8 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
 
 namespace {
 
-// The same metric on the blocks that all groups have, which mean ranks are of, with the verdicts of all blocks.
+// Returns the metric on the blocks that all groups have, since mean ranks need common blocks. The verdicts are those on
+// all blocks.
 JudgedMetric on_common_blocks(JudgedMetric metric) {
   MetricSamples& samples = metric.samples;
   if (!samples.is_paired || is_conditional_on_success(samples)) return metric;
@@ -394,14 +396,15 @@ JudgedMetric on_common_blocks(JudgedMetric metric) {
   return metric;
 }
 
-// A pair of which it is known how often the second solver is better.
+// A pair with a known share of cases in which the second solver is better.
 struct RankedPair {
   const Comparison* comparison;
-  double behind;  // the share of comparisons in which the second is better, equal ones half
+  double behind;  // share of values in which the second is better, equal values count half
 };
 using RankedPairs = std::map<std::pair<std::string_view, std::string_view>, RankedPair>;  // in either order
 
-// Returns the share of comparisons in which the first solver is better, equal ones half; nullopt if it is not known.
+// Returns the share of values in which the first solver is better, where equal values count half; nullopt if the share
+// is not known.
 std::optional<double> share_ahead(const Comparison& comparison, Better better) {
   if (const auto* const tested = std::get_if<TestResult>(&comparison.result))
     return tested->dominance ? std::optional(tested->dominance->a12()) : std::nullopt;
@@ -422,7 +425,7 @@ RankedPairs ranked_pairs(const JudgedMetric& metric) {
   return pairs;
 }
 
-// The solvers of a figure of ranks: each has a known pair with each other one.
+// The solvers of a figure of ranks, each of which has a known pair with each other one, and the solvers without.
 struct RankedSolvers {
   std::vector<std::string> solvers, without;
 };
@@ -485,7 +488,7 @@ std::optional<Figure> ranks_of(const JudgedMetric& judged, const std::vector<std
                   have_all_blocks ? fmt::format("in {} blocks", n)
                                   : "expected from one value of each solver (1 plus the others' A12)",
                   metric.plan.significance);
-  // Shares are nearly all tied, which the critical difference does not allow for.
+  // The critical difference does not allow for ties, and shares of one trial are nearly all tied.
   const bool has_ruler = have_all_blocks && !are_shares && metric.plan.significance == 0.05;
   const double ruler = has_ruler ? critical_difference(solvers.size(), n) : nowhere;
   if (ruler > 0)
@@ -517,7 +520,7 @@ Figure path_of(const StudyResults& study, const Look& look, std::size_t arms, co
     if (i % every != 0 || !arm || q.size() != arm->joints() || !q.allFinite()) continue;
     rows.arms.emplace_back(fmt::format("arm at point {}", solve.point), corners_of(*arm, q));
   }
-  if (study.definition.path == "circle" && std::ssize(solves) == study.definition.points) {  // closed
+  if (study.definition.path == "circle" && std::ssize(solves) == study.definition.points) {  // the curve is closed
     rows.targets.push_back(rows.targets.front());
     rows.reached.push_back(rows.reached.front());
   }

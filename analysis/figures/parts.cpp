@@ -31,7 +31,8 @@ std::string placed(char letter, double low, double high) {
   return fmt::format("place_{0}(v) = v < {1} ? {1} : v > {2} ? {2} : v\n", letter, text_of(low), text_of(high));
 }
 
-// That of y stands at the picture's left edge, wherever gnuplot thinks that the ticks end.
+// Returns the commands for the title of an axis. The title of y stands at the left edge of the picture, because gnuplot
+// does not know where the ticks end.
 std::string titled(char letter, const std::string& title) {
   if (title.empty()) return "";
   return title_of(letter, shortened(title, letter == 'y' ? 34 : 44)) +
@@ -43,7 +44,7 @@ std::string logarithmic(char letter, double low, double high) {
   return fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n", letter, text_of(low), text_of(high));
 }
 
-// "100", or for gnuplot's enhanced text a power of ten.
+// Returns the label of a tick: "100", or a power of ten in gnuplot's enhanced text.
 std::string tick(double value, bool is_power) {
   if (!is_power) return fmt::format("{:.6g}", value);
   const int exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
@@ -52,11 +53,11 @@ std::string tick(double value, bool is_power) {
                      std::abs(exponent));
 }
 
-// All ticks of an axis are written alike.
+// Returns whether the ticks of an axis are written as powers of ten, which then holds for all of them.
 bool are_powers(double low, double high) { return low < 0.999e-3 || high > 1.001e5; }
 
-// Powers of ten with small ticks between; below three decades 2 and 5 times these have labels, too, or 3 times where
-// these would touch.
+// Returns ticks at powers of ten, with small ticks between them. On a short axis 2 and 5 times the powers have labels,
+// too; only 3 times the powers if labels would touch.
 std::string ticks_between(char letter, double low, double high, bool is_power) {
   const double decades = std::log10(high) - std::log10(low);
   const int every = 1 + static_cast<int>((decades - 1) / 4);
@@ -94,7 +95,7 @@ double room_beside(double smallest, double largest) {
 // Returns where values up to the floor stand: at the floor, or below the decade of the smallest value above it.
 double edge_below(double start, double floor) { return floor >= start ? floor : start / 10; }
 
-// The same in every figure with two axes.
+// Adds the margins that all figures with two axes have.
 void add_margins(Figure& figure) {
   figure.settings +=
       "set lmargin at screen margin(1.7)\nset rmargin at screen 1 - margin(0.5)\n"
@@ -175,7 +176,8 @@ Axis linear_axis(char letter, std::span<const double> values, const std::string&
     axis.low = std::min(0.0, 1.05 * smallest);
     axis.high = largest > 0 ? 1.05 * largest : 1;
   }
-  const double step = std::max(round_step_of(axis.high - axis.low, 5), is_first ? 1.0 : 0.0);  // whole points
+  // Points are whole numbers, so their step is at least 1.
+  const double step = std::max(round_step_of(axis.high - axis.low, 5), is_first ? 1.0 : 0.0);
   double ticks_cm = 0;
   for (double i = std::ceil(axis.low / step); i * step <= axis.high; ++i)
     ticks_cm += 0.25 + width_cm_of(fmt::format("{:.6g}", i * step));
@@ -209,14 +211,15 @@ Axis value_axis(char letter, std::span<const double> values, const About& about,
   const double most = std::ranges::max(above);
   const double high = std::min(1.3 * most, std::pow(10, std::ceil(std::log10(most) - 1e-9)));
   const double edge = has_edge ? edge_below(start, about.floor) : start;
-  const double low = has_edge ? edge * std::pow(edge / high, 0.03) : edge;  // marks at the edge stand off the axis
+  // Marks at the edge do not touch the axis.
+  const double low = has_edge ? edge * std::pow(edge / high, 0.03) : edge;
   const bool is_power = are_powers(has_edge && about.floor > 0 ? about.floor : start, high);
   std::string settings = logarithmic(letter, low, high) +
                          ticks_between(letter, has_edge ? std::max(start, 1.01 * edge) : start, high, is_power);
   if (has_edge)
     settings += fmt::format("set {}tics add ('{}' {})\n", letter,
                             about.floor > 0 ? "≤ " + tick(about.floor, is_power) : "0", text_of(edge));
-  if (has_edge && edge > about.floor) {  // the axis is broken between them
+  if (has_edge && edge > about.floor) {  // the axis is broken between the edge and the first tick
     const std::string middle = text_of(std::sqrt(edge * start));
     settings += fmt::format("set label '//' at {} center front tc rgb ink\n",
                             letter == 'x' ? "first " + middle + ", graph 0" : "graph 0, first " + middle);
@@ -231,7 +234,7 @@ void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, d
     boost::split(lines, label, [](char c) { return c == '\n'; });
     for (std::string& line : lines) {
       widest_cm = std::max(widest_cm, width_cm_of(line));
-      line = gnuplot_text(boost::replace_all_copy(one_line(line), "%", "%%"));  // a form, for gnuplot
+      line = gnuplot_text(boost::replace_all_copy(one_line(line), "%", "%%"));  // gnuplot takes a label as a format
     }
     row_cm = std::max(row_cm, 0.37 * static_cast<double>(lines.size()));
     ticks.push_back(fmt::format("{} {}", fmt::join(lines, ".\"\\n\"."), ticks.size() + 1));
@@ -253,7 +256,7 @@ void add_names(Figure& figure, std::vector<Named> marks) {
   double widest_cm = 0;
   for (const Named& mark : marks) widest_cm = std::max(widest_cm, width_cm_of(mark.label));
   const bool is_below = widest_cm > 2;
-  const std::size_t columns = widest_cm > 3.4 ? 1 : 2;  // below
+  const std::size_t columns = widest_cm > 3.4 ? 1 : 2;  // of names below the figure
   if (is_below) {
     figure.legend = (n + columns - 1) / columns;
     figure.sides_cm = std::max(figure.sides_cm, 0.65 * static_cast<double>(columns) * (widest_cm + stroke_cm));
@@ -263,7 +266,8 @@ void add_names(Figure& figure, std::vector<Named> marks) {
     figure.settings += fmt::format("set rmargin at screen 1 - margin({})\n", text_of(widest_cm + stroke_cm + 0.15));
     std::ranges::stable_sort(marks, std::ranges::greater(), &Named::y);
   }
-  // None above another: halfway between the lowest places from the top down and the highest from the bottom up.
+  // No name may cover another. So a name stands halfway between its lowest place, counted from the top down, and its
+  // highest place, counted from the bottom up.
   const double row = row_cm / (figure.height_cm - around_cm);
   std::vector<double> at(n), up(n);
   for (std::size_t i = 0; i < n; ++i) at[i] = i == 0 ? marks[i].y : std::min(marks[i].y, at[i - 1] - row);
@@ -276,7 +280,7 @@ void add_names(Figure& figure, std::vector<Named> marks) {
     if (is_below)
       at_name = fmt::format("screen {}, screen up({})", i % columns == 0 ? 0.05 : 0.53,
                             text_of(0.35 * static_cast<double>(figure.legend - i / columns)));
-    // The marker has a label of its own, since SVG raises the text of one with a point.
+    // The marker has a label of its own, because SVG raises the text of a label with a point.
     figure.settings += fmt::format(
         "set label {} at {} left offset 1, 0 noenhanced tc rgb ink\nset label '' at {} point {}\n", gnuplot_text(label),
         at_name, at_name, style > 0 ? fmt::format("ls {}", style) : "pt 6 ps 0.9 " + colour_of(style));

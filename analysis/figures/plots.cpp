@@ -22,11 +22,12 @@ using namespace base;
 namespace {
 
 const std::string grey = colour_of(0);
-constexpr std::size_t most_rows = 60;     // of a figure, which fits a page
-constexpr std::size_t most_values = 200;  // drawn of a group
+constexpr std::size_t most_rows = 60;     // of one figure, so that it fits a page
+constexpr std::size_t most_values = 200;  // drawn per group
 constexpr std::size_t most_bands = 3;     // more would cover each other
 
-// The first rows; the picture says how many, the caption whose are left out.
+// Returns the first rows. If others are left out, adds the number of drawn rows to the picture, and the names of the
+// others to the caption.
 template <class Row>
 std::span<const Row> drawn_of(const std::vector<Row>& all, std::size_t most, Figure& figure) {
   std::vector<std::string> others;
@@ -39,7 +40,7 @@ std::span<const Row> drawn_of(const std::vector<Row>& all, std::size_t most, Fig
   return std::span(all).first(all.size() - others.size());
 }
 
-// Words at the right of a row.
+// Adds words at the right of rows.
 void add_remarks(Figure& figure, const std::vector<std::string>& remarks) {
   double widest_cm = 0;
   for (std::size_t i = 0; i < remarks.size(); ++i) {
@@ -53,8 +54,8 @@ void add_remarks(Figure& figure, const std::vector<std::string>& remarks) {
   figure.settings += fmt::format("set rmargin at screen 1 - margin({})\n", text_of(widest_cm + 0.45));
 }
 
-// The largest sets of rows, as bits, of which no two are apart, by Piepho's insertion and absorption (J. Computational
-// and Graphical Statistics 13 (2004) 456).
+// Returns the largest sets of rows, as bits, in which no two rows are apart. The method is insertion and absorption
+// (Piepho, J. Computational and Graphical Statistics 13 (2004) 456).
 std::vector<std::uint32_t> sets_of_alike(std::span<const RankRow> rows) {
   std::vector<std::uint32_t> sets{static_cast<std::uint32_t>((std::uint64_t{1} << rows.size()) - 1)};
   const auto is_within = [](const auto& others, std::uint32_t set) {
@@ -80,8 +81,9 @@ std::vector<std::uint32_t> sets_of_alike(std::span<const RankRow> rows) {
   return sets;
 }
 
-// gnuplot's commands for a row of panels a solver, a panel a joint, from the arrays of these: rows, columns, the gap
-// between rows [cm], how high above its first row a column's name is, the point size.
+// The commands of gnuplot for a row of panels per solver, with a panel per joint. Both have their names and styles in
+// arrays. The arguments are: rows, columns, the gap between rows [cm], the height of a column's name above the first
+// row, the point size.
 constexpr const char* joint_panels =
     "set multiplot layout {0}, {1} rowsfirst margins margin(1.35), 1 - margin({4}), up(0.95), 1 - up(0.65 + {2}) "
     "spacing margin(0.15), up({2})\n"
@@ -119,7 +121,7 @@ void add_cube(Figure& figure, const Corner& low, const Corner& high) {
   const double side = std::max(0.1, 1.1 * (high - low).maxCoeff());
   figure.settings +=
       "set view equal xyz\nset view 65, 30, 1.3\n"
-      "room = (1 - 2 * margin(1.35)) / 0.72\nroom = room < 1 ? room : 1\n"  // beside which the title of z stands
+      "room = (1 - 2 * margin(1.35)) / 0.72\nroom = room < 1 ? room : 1\n"  // leaves room for the title of z
       "set origin (1 - room) / 2, up(legend_rows_cm + 0.2)\nset size room, 1 - up(legend_rows_cm + 0.2)\n"
       "set key at screen 0.5, screen up(legend_rows_cm + 0.1) top center\n"
       "set border 895 lw 0.5 lc rgb '#AAAAAA'\nset grid x y z vertical\n"
@@ -129,8 +131,8 @@ void add_cube(Figure& figure, const Corner& low, const Corner& high) {
   for (const int axis : {0, 1, 2})
     figure.settings += fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3} textcolor rgb ink\n", "xyz"[axis],
                                    text_of(middle[axis] - side / 2), text_of(middle[axis] + side / 2), text_of(step));
-  // Titles stand beside the middles of their axes. Those of gnuplot keep their distance from the place of the plot,
-  // which the cube does not fill.
+  // Titles stand beside the middles of their axes. gnuplot would place titles by the area of the plot, which the cube
+  // does not fill.
   const auto title = [&](char axis, std::array<double, 3> ends, std::string_view place) {
     std::string at;
     for (const int i : {0, 1, 2})
@@ -143,7 +145,7 @@ void add_cube(Figure& figure, const Corner& low, const Corner& high) {
   figure.settings += fmt::format("set xyplane at {}\n", text_of(middle[2] - side / 2));
 }
 
-// Lines of a data file, beside a row: value and height.
+// Returns the lines of a data file for the values beside a row: value and height.
 std::string scattered(const BoxRow& row, double y) {
   std::vector<double> sorted = row.values;
   std::ranges::sort(sorted);
@@ -270,7 +272,7 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
   for (const Successes& each : std::span(all).first(drawn))
     costs.insert(costs.end(), each.costs.begin(), each.costs.end());
   const bool is_dashed = !std::isnan(dashed);
-  constexpr double farthest = 1000;  // from what is dashed, on both sides
+  constexpr double farthest = 1000;  // factor from the dashed line, on both sides
   if (is_dashed) std::erase_if(costs, [&](double cost) { return cost > dashed * farthest; });
   if (costs.empty()) return std::nullopt;
   if (is_dashed) costs.push_back(dashed);
@@ -299,7 +301,7 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
     ends.push_back({all[i].label, all[i].style, y.share_of(share)});
     constexpr std::string_view rows = "using (place_x($1)):2 with";
     clauses.push_back(fmt::format("data index {} {} steps {}", i, rows, style));
-    const std::size_t every = 1 + steps / 6;  // markers, of each line elsewhere
+    const std::size_t every = 1 + steps / 6;  // steps between markers, which each line has at other steps
     if (drawn > 1)
       clauses.push_back(fmt::format("data index {} every {}::{} {} points ls {}", i, every, 1 + every * i / drawn, rows,
                                     all[i].style));
@@ -373,7 +375,7 @@ std::optional<Figure> differences(const About& about, const std::vector<Interval
     const auto has_place = [&](double value) { return std::abs(value) <= 1e300 && (!are_ratios || value > 0); };
     std::ranges::copy_if(std::array{row.estimate, row.low, row.high}, std::back_inserter(all), has_place);
     if (has_place(row.estimate) && !has_place(row.low) && are_ratios)
-      all.push_back(row.estimate / 1.5);  // for the head
+      all.push_back(row.estimate / 1.5);  // room for the head of the arrow
     const char* const heads = arrow_heads(has_place(row.low), has_place(row.high));
     figure.data += fmt::format("# {}\n{}", one_line(row.label),
                                data_row({static_cast<double>(i + 1), row.estimate, row.low, row.high}));
@@ -399,7 +401,7 @@ std::optional<Figure> differences(const About& about, const std::vector<Interval
 
 Figure path(const About& about, const PathRows& rows) {
   Figure figure{.name = about.name, .caption = about.caption, .height_cm = 7};
-  Corner low = Corner::Zero(), high = low;  // of what is seen, the base among it
+  Corner low = Corner::Zero(), high = low;  // of all that is drawn, with the base
   const auto see = [&](const std::vector<Corner>& corners) {
     for (const Corner& corner : corners) {  // fmin and fmax pass over NaN
       low = low.binaryExpr(corner, [](double a, double b) { return std::fmin(a, b); });
@@ -508,7 +510,7 @@ std::optional<Figure> overview(const About& about, const std::string& x_axis, co
     clauses.push_back(fmt::format("{} (place_x($1)):(place_y($2)) with points ls {} dt 1 ps 0.9", line, dot.style));
     clauses.push_back(fmt::format("{} (place_x($3)):(place_y($4)) with points pt 6 ps 0.9 lw 1.2 {}", line, colour));
   }
-  if (names.size() < 2) return std::nullopt;  // nothing to see it against
+  if (names.size() < 2) return std::nullopt;  // nothing to compare with
   if (!left_out.empty()) figure.caption += fmt::format(" Without {}.", names_of(left_out));
   const Axis x = linear_axis('x', xs, x_axis, Begins::at_zero), y = value_axis('y', ys, about, Begins::at_zero);
   figure.settings = x.settings + y.settings;

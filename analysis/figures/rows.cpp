@@ -116,7 +116,7 @@ std::vector<Line> by_iteration(const StudyResults& study, const Look& look, Aver
 std::vector<Corner> corners_of(const robots::Robot& arm, const Eigen::VectorXd& q) {
   std::vector<Corner> corners{{0, 0, 0}};
   const auto add = [&](const Eigen::Vector3d& at) { corners.emplace_back(at / centimetre); };
-  robots::Description joints;  // up to the corner
+  robots::Description joints;  // from the base to the corner
   for (const robots::DescribedJoint& joint : arm.description) {
     joints.push_back(joint);
     add(robots::pose_of(joints, q).translation());
