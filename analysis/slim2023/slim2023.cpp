@@ -71,7 +71,7 @@ bool holds(const JudgedClaim* claim) { return claim != nullptr && claim->holds =
 
 constexpr std::string_view error = "position_error_cm", motion = "variation_deg", time = "seconds";
 
-// The figures that have values, by their numbers in the paper.
+// The figures that have values, named by their numbers in the paper.
 struct Numbered {
   std::vector<Figure> all = {};
 
@@ -83,7 +83,7 @@ struct Numbered {
   }
 };
 
-// As the paper has it: times, too, are of runs.
+// Returns a metric by runs, as in the paper, in which times are by runs, too; empty if the study has no such metric.
 std::optional<JudgedMetric> by_runs(const JudgedStudy& judged, std::string_view column) {
   const JudgedMetric* const its = find_metric(judged, column);
   if (its == nullptr) return {};
@@ -152,7 +152,7 @@ std::vector<Figure> of_circle(const StudyResults& study, const Look& look) {
   for (std::size_t row = 0; row < printed.rows(); ++row)
     beside.rows.push_back({printed.number(row, "point"), printed.number(row, "error_cm")});
   About about = about_of(study, metric_named(error), "The error at each point, beside Table 8's.");
-  about.floor = 0;  // all is rounding
+  about.floor = 0;  // all differences are rounding
   figures.add(17, curves(about, "point", errors));
   about.caption = "Best error after each iteration, mean of all solves.";
   figures.add(18, curves(about, "iteration", by_iteration(study, look, Average::mean)));
@@ -260,7 +260,7 @@ std::optional<Table> table_7(const StudyResults& study) {
   for (const Statistic& statistic : statistics) table.columns.push_back({std::string(statistic.column), "ms"});
   table.columns.push_back({"median iterations"});
   for (const std::string& solver : study.labels) {
-    std::int64_t reached = 0, in_time = 0;  // wherever the joints are
+    std::int64_t reached = 0, in_time = 0;  // also outside the joint limits
     std::vector<double> ms, iterations;
     for (const SolveSummary& solve : study.of(solver)) {
       ms.push_back(1000 * solve.seconds);
