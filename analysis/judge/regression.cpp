@@ -100,10 +100,10 @@ bool is_of_answers(const JudgedMetric& judged) { return judged.samples.quantity_
 
 // Returns whether a metric decides: the plan names the metric, --metric does not leave the metric out, and a metric of
 // times has a margin.
-bool decides(const RegressionCheck& gate, const JudgedMetric& metric) {
-  const std::string name = name_in_plan(gate.judged, metric);
-  if (name.empty() || (is_time(metric) && !gate.counts_times())) return false;
-  return gate.options.metrics.empty() || std::ranges::count(gate.options.metrics, name) > 0;
+bool decides(const RegressionCheck& check, const JudgedMetric& metric) {
+  const std::string name = name_in_plan(check.judged, metric);
+  if (name.empty() || (is_time(metric) && !check.counts_times())) return false;
+  return check.options.metrics.empty() || std::ranges::count(check.options.metrics, name) > 0;
 }
 
 // Throws std::invalid_argument if the options ask for metrics or margins that the plan does not have.
@@ -176,19 +176,19 @@ void keep_warnings(std::vector<Warning>& warnings, const StudyResults& two) {
 }
 
 // Keeps the groups and the comparison of the two labels of a check, the candidate first.
-void keep_two(const RegressionCheck& gate, MetricSamples& samples, std::vector<Comparison>& comparisons) {
-  const auto is_meant = [&](const std::string& name) { return name == gate.candidate || name == gate.baseline; };
+void keep_two(const RegressionCheck& check, MetricSamples& samples, std::vector<Comparison>& comparisons) {
+  const auto is_meant = [&](const std::string& name) { return name == check.candidate || name == check.baseline; };
   std::erase_if(samples.groups, [&](const Group& group) { return !is_meant(group.name); });
-  if (samples.groups.front().name != gate.candidate) std::swap(samples.groups.front(), samples.groups.back());
+  if (samples.groups.front().name != check.candidate) std::swap(samples.groups.front(), samples.groups.back());
   std::erase_if(comparisons, [&](const Comparison& comparison) {
     return !is_meant(comparison.first) || !is_meant(comparison.second);
   });
-  comparisons.front() = better_first(std::move(comparisons.front()), gate.baseline);
+  comparisons.front() = better_first(std::move(comparisons.front()), check.baseline);
 }
 
 // Returns the name of the family that the pairs of a metric belong to.
-std::string family_of(const RegressionCheck& gate, const JudgedMetric& metric) {
-  const std::string name = name_in_plan(gate.judged, metric);
+std::string family_of(const RegressionCheck& check, const JudgedMetric& metric) {
+  const std::string name = name_in_plan(check.judged, metric);
   return name.empty() ? "not in the plan: " + metric.samples.metric : name;
 }
 
@@ -196,25 +196,25 @@ std::string family_of(const RegressionCheck& gate, const JudgedMetric& metric) {
 // one family. If one label solved all targets and another did not, evaluations and evaluations per success are one
 // family. Solvers that are identical in two stores belong only to the family of times, since no chance is in their
 // answers.
-std::vector<std::vector<std::vector<Comparison>>> all_comparisons(const std::vector<RegressionCheck>& gates) {
-  const std::size_t metrics = names_in_plan(gates.front().judged.study.definition).size();
+std::vector<std::vector<std::vector<Comparison>>> all_comparisons(const std::vector<RegressionCheck>& checks) {
+  const std::size_t metrics = names_in_plan(checks.front().judged.study.definition).size();
   std::vector<std::vector<std::vector<Comparison>>> all;
   std::map<std::string, std::vector<std::pair<std::size_t, std::size_t>>>
       families;  // places of checks and metrics, by name
-  for (std::size_t i = 0; i < gates.size(); ++i) {
-    const std::vector<JudgedMetric>& judged = gates[i].judged.metrics;
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    const std::vector<JudgedMetric>& judged = checks[i].judged.metrics;
     all.emplace_back(judged.size());
     for (std::size_t m = 0; m < judged.size(); ++m) {
-      if (gates[i].is_identical && !gates[i].label.empty() && !is_time(judged[m]))
+      if (checks[i].is_identical && !checks[i].label.empty() && !is_time(judged[m]))
         all[i][m] = compare_pairs(judged[m].samples, judged[m].plan, metrics);
       else
-        families[family_of(gates[i], judged[m])].emplace_back(i, m);
+        families[family_of(checks[i], judged[m])].emplace_back(i, m);
     }
   }
   for (const auto& [metric, places] : families) {
     std::vector<FamilyMember> members;
     for (const auto& [i, m] : places)
-      members.push_back({&gates[i].judged.metrics[m].samples, &gates[i].judged.metrics[m].plan});
+      members.push_back({&checks[i].judged.metrics[m].samples, &checks[i].judged.metrics[m].plan});
     std::vector<std::vector<Comparison>> found = compare_pairs(members, metrics);
     for (std::size_t k = 0; k < places.size(); ++k) all[places[k].first][places[k].second] = std::move(found[k]);
   }
@@ -227,9 +227,9 @@ bool is_below_margin(const Comparison& comparison) {
 }
 
 // Returns the outcome of a metric that decides; empty if nothing is to be reported.
-std::optional<RegressionOutcome> deciding_outcome(const RegressionCheck& gate, const JudgedMetric& judged) {
+std::optional<RegressionOutcome> deciding_outcome(const RegressionCheck& check, const JudgedMetric& judged) {
   const Comparison& comparison = judged.comparisons.front();
-  const bool is_settled = gate.is_identical && !is_time(judged);
+  const bool is_settled = check.is_identical && !is_time(judged);
   switch (verdict_of(comparison)) {
     case Verdict::worse:
       return is_below_margin(comparison) ? RegressionOutcome::worse_below_margin : RegressionOutcome::worse;
@@ -260,20 +260,20 @@ std::optional<RegressionOutcome> other_outcome(const JudgedMetric& judged) {
 }
 
 // Adds the outcome of a metric to the check.
-void add_outcome(RegressionCheck& gate, const JudgedMetric& judged) {
+void add_outcome(RegressionCheck& check, const JudgedMetric& judged) {
   if (const int missing = count_new_failures(judged); missing > 0) {
-    gate.new_failures = missing;
+    check.new_failures = missing;
     return;
   }
-  const bool is_deciding = decides(gate, judged);
-  const auto outcome = is_deciding ? deciding_outcome(gate, judged) : other_outcome(judged);
-  if (outcome) gate.outcomes.push_back({judged.samples.metric, judged.samples.quantity, *outcome, is_deciding});
+  const bool is_deciding = decides(check, judged);
+  const auto outcome = is_deciding ? deciding_outcome(check, judged) : other_outcome(judged);
+  if (outcome) check.outcomes.push_back({judged.samples.metric, judged.samples.quantity, *outcome, is_deciding});
   if (!is_deciding) return;
   const bool is_tested = verdict_of(judged.comparisons.front()) != Verdict::not_tested;
   const bool is_share_of_nothing =
       is_proportion(judged.samples) && judged.descriptives.front().mean == 0 && judged.descriptives.back().mean == 0;
-  if (is_time(judged) && !is_tested) gate.are_times_missing = true;
-  if (is_tested && !is_share_of_nothing) gate.is_compared = true;
+  if (is_time(judged) && !is_tested) check.are_times_missing = true;
+  if (is_tested && !is_share_of_nothing) check.is_compared = true;
 }
 
 }  // namespace
@@ -287,32 +287,32 @@ RegressionCheck check_regression(StudyResults study, const std::string& candidat
     throw LacksSolves(fmt::format(
         "not compared: {} has {} solves, {} {}; complete both with ikbench run and the same number of runs",
         label.empty() ? candidate : label, ours.size(), label.empty() ? baseline : "before", theirs.size()));
-  RegressionCheck gate{.label = label, .candidate = candidate, .baseline = baseline, .options = std::move(options)};
-  gate.is_identical = are_identical(ours, theirs) && std::ranges::any_of(ours, has_answer);
+  RegressionCheck check{.label = label, .candidate = candidate, .baseline = baseline, .options = std::move(options)};
+  check.is_identical = are_identical(ours, theirs) && std::ranges::any_of(ours, has_answer);
   for (std::size_t i = 0; i < ours.size(); ++i) {
     const bool is_solved = ours[i].status == Status::ok, was_solved = theirs[i].status == Status::ok;
-    gate.identical_solves += are_identical(ours.subspan(i, 1), theirs.subspan(i, 1));
+    check.identical_solves += are_identical(ours.subspan(i, 1), theirs.subspan(i, 1));
     if (is_solved == was_solved || !study.definition.has_tolerance()) continue;
-    (is_solved ? gate.newly_solved : gate.newly_unsolved)
+    (is_solved ? check.newly_solved : check.newly_unsolved)
         .push_back(study.definition.points == 1 ? fmt::format("run {}", ours[i].run)
                                                 : fmt::format("target {} of run {}", ours[i].point, ours[i].run));
   }
   std::string& control = study.definition.plan.control;
   if (control != candidate && control != baseline) control.clear();
-  gate.judged = make_all_samples(std::move(study));
-  JudgedStudy& judged = gate.judged;
+  check.judged = make_all_samples(std::move(study));
+  JudgedStudy& judged = check.judged;
   StudyResults two = study_of_two(judged.study, candidate, baseline);
   const bool machine_decides = !clock_warnings(two).empty();
   judged.metrics.push_back(
       {.samples = answered_samples(judged.study, machine_decides), .plan = judged.study.definition.plan});
   for (JudgedMetric& metric : judged.metrics) {
-    if (is_time(metric) && gate.counts_times()) metric.plan.margin = *gate.options.time_margin;
+    if (is_time(metric) && check.counts_times()) metric.plan.margin = *check.options.time_margin;
     keep_warnings(metric.samples.warnings, two);
   }
   judged.warnings = study_warnings(two);
   two.solves = {};  // no longer needed, and large
   judged.study = std::move(two);
-  return gate;
+  return check;
 }
 
 RegressionCheck check_regression(StudyResults baseline, StudyResults candidate, RegressionOptions options) {
@@ -350,28 +350,28 @@ RegressionCheck check_regression(StudyResults baseline, StudyResults candidate, 
   return both;
 }
 
-void judge_all(std::vector<RegressionCheck>& gates) {
-  std::vector<std::vector<std::vector<Comparison>>> all = all_comparisons(gates);
-  for (std::size_t i = 0; i < gates.size(); ++i) {
-    RegressionCheck& gate = gates[i];
-    gate.is_compared = gate.is_identical;
-    gate.are_times_missing = gate.counts_times() && std::ranges::none_of(gate.judged.metrics, is_time);
-    for (std::size_t m = 0; m < gate.judged.metrics.size(); ++m) {
-      JudgedMetric& metric = gate.judged.metrics[m];
+void judge_all(std::vector<RegressionCheck>& checks) {
+  std::vector<std::vector<std::vector<Comparison>>> all = all_comparisons(checks);
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    RegressionCheck& check = checks[i];
+    check.is_compared = check.is_identical;
+    check.are_times_missing = check.counts_times() && std::ranges::none_of(check.judged.metrics, is_time);
+    for (std::size_t m = 0; m < check.judged.metrics.size(); ++m) {
+      JudgedMetric& metric = check.judged.metrics[m];
       std::vector<Comparison>& comparisons = all[i][m];
-      keep_two(gate, metric.samples, comparisons);
-      metric.plan.control = gate.baseline;  // the control is shown second
+      keep_two(check, metric.samples, comparisons);
+      metric.plan.control = check.baseline;  // the control is shown second
       metric = judge(std::move(metric.samples), metric.plan, std::move(comparisons));
       Comparison& comparison = metric.comparisons.front();
       // Two labels of one store keep the comparison of the store's report.
-      if (gate.is_identical && !gate.label.empty() && !is_time(metric) &&
+      if (check.is_identical && !check.label.empty() && !is_time(metric) &&
           std::holds_alternative<TestResult>(comparison.result)) {
         comparison.result = DeterministicResult();
         comparison.estimate = EffectEstimate{null_value(comparison.scale)};
       }
     }
-    for (const JudgedMetric& metric : gate.judged.metrics) add_outcome(gate, metric);
-    if (gate.new_failures > 0) gate.is_compared = true;
+    for (const JudgedMetric& metric : check.judged.metrics) add_outcome(check, metric);
+    if (check.new_failures > 0) check.is_compared = true;
   }
 }
 
@@ -384,14 +384,14 @@ std::vector<std::string> RegressionCheck::quantities(RegressionOutcome outcome, 
   return names;
 }
 
-int exit_code(const std::vector<RegressionCheck>& gates, bool is_strict) {
+int exit_code(const std::vector<RegressionCheck>& checks, bool is_strict) {
   using enum RegressionOutcome;
-  const auto is_worse = [](const RegressionCheck& gate) { return gate.has(worse) || gate.new_failures > 0; };
-  const auto is_missing = [](const RegressionCheck& gate) { return !gate.is_compared || gate.are_times_missing; };
-  const auto is_open = [](const RegressionCheck& gate) { return gate.has(inconclusive) || gate.has(not_tested); };
-  if (std::ranges::any_of(gates, is_worse)) return 3;
-  if (std::ranges::any_of(gates, is_missing)) return 1;
-  return is_strict && std::ranges::any_of(gates, is_open) ? 4 : 0;
+  const auto is_worse = [](const RegressionCheck& check) { return check.has(worse) || check.new_failures > 0; };
+  const auto is_missing = [](const RegressionCheck& check) { return !check.is_compared || check.are_times_missing; };
+  const auto is_open = [](const RegressionCheck& check) { return check.has(inconclusive) || check.has(not_tested); };
+  if (std::ranges::any_of(checks, is_worse)) return 3;
+  if (std::ranges::any_of(checks, is_missing)) return 1;
+  return is_strict && std::ranges::any_of(checks, is_open) ? 4 : 0;
 }
 
 }  // namespace ikbench::judge

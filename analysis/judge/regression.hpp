@@ -75,11 +75,11 @@ RegressionCheck check_regression(StudyResults study, const std::string& candidat
 RegressionCheck check_regression(StudyResults baseline, StudyResults candidate, RegressionOptions options = {});
 // Judges all checks, of which there must be at least one. The pairs of a metric in all checks are one family, which has
 // the significance of a report.
-void judge_all(std::vector<RegressionCheck>& gates);
+void judge_all(std::vector<RegressionCheck>& checks);
 
 // Returns the exit code for all checks together. 3: something is worse, or answers are newly missing. 1: in one check
 // nothing was compared, or not the times that were asked for. 4: `is_strict`, and something is inconclusive or not
 // tested. 0: otherwise.
-int exit_code(const std::vector<RegressionCheck>& gates, bool is_strict);
+int exit_code(const std::vector<RegressionCheck>& checks, bool is_strict);
 
 }  // namespace ikbench::judge
