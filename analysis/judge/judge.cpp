@@ -68,6 +68,17 @@ void add_rank_warning(JudgedMetric& judged) {
   }
 }
 
+// Sets the indices of comparisons that were made of parts of these groups.
+void set_group_indices(std::vector<Comparison>& comparisons, const std::vector<Group>& groups) {
+  const auto index_of = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::ranges::find(groups, name, &Group::name) - groups.begin());
+  };
+  for (Comparison& comparison : comparisons) {
+    comparison.first_index = index_of(comparison.first);
+    comparison.second_index = index_of(comparison.second);
+  }
+}
+
 // Returns the comparisons of a metric. Pairs of the study's own labels keep the p that they would have without imported
 // results. Imported labels are compared only with the control, and these pairs are a second family.
 std::vector<Comparison> comparisons_of(const JudgedMetric& metric, const ImportedResults& imported,
@@ -86,6 +97,7 @@ std::vector<Comparison> comparisons_of(const JudgedMetric& metric, const Importe
                 [&](const Group& group) { return !imported.has(group.name) && group.name != metric.plan.control; });
   for (Comparison& comparison : compare_pairs(others, metric.plan, metrics))
     comparisons.push_back(std::move(comparison));
+  set_group_indices(comparisons, metric.samples.groups);
   return comparisons;
 }
 
@@ -186,7 +198,6 @@ JudgedMetric judge(MetricSamples samples, const AnalysisPlan& plan) {
 
 JudgedMetric judge(MetricSamples samples, const AnalysisPlan& plan, std::vector<Comparison> comparisons) {
   JudgedMetric judged{.samples = std::move(samples), .plan = plan, .comparisons = std::move(comparisons)};
-  set_group_indices(judged.comparisons, judged.samples);
   for (const Group& group : judged.samples.groups)
     judged.descriptives.push_back(shown_descriptives(judged.samples, group));
   add_dominance_warning(judged);

@@ -21,8 +21,8 @@ struct JudgedMetric {
   std::vector<Comparison> comparisons;     // one per pair of the plan
 };
 
-// Describes the groups, and adds the warnings that follow from the comparisons. These were made by `compare_pairs`,
-// also as parts of a larger family, and name only groups of the samples.
+// Describes the groups, and adds the warnings that follow from the comparisons. The comparisons were made by
+// `compare_pairs`, also as parts of a larger family, and their indices are those of groups of the samples.
 JudgedMetric judge(MetricSamples samples, const AnalysisPlan& plan, std::vector<Comparison> comparisons);
 // Compares and judges samples by themselves.
 JudgedMetric judge(MetricSamples samples, const AnalysisPlan& plan);

@@ -183,7 +183,10 @@ void keep_two(const RegressionCheck& check, MetricSamples& samples, std::vector<
   std::erase_if(comparisons, [&](const Comparison& comparison) {
     return !is_meant(comparison.first) || !is_meant(comparison.second);
   });
-  comparisons.front() = better_first(std::move(comparisons.front()), check.baseline);
+  Comparison& comparison = comparisons.front();
+  comparison = better_first(std::move(comparison), check.baseline);
+  comparison.first_index = 0;
+  comparison.second_index = 1;
 }
 
 // Returns the name of the family that the pairs of a metric belong to.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -571,20 +570,6 @@ std::vector<std::vector<Comparison>> compare_pairs(const std::vector<FamilyMembe
     for (const Pair& pair : members[i])
       comparisons[i].push_back(judged(*family[i].samples, *family[i].plan, pair, tests));
   return comparisons;
-}
-
-void set_group_indices(std::vector<Comparison>& comparisons, const MetricSamples& samples) {
-  std::map<std::string_view, std::size_t> indices;
-  for (const Group& group : samples.groups) indices.emplace(group.name, indices.size());
-  const auto index_of_group = [&](const std::string& name) {
-    const auto found = indices.find(name);
-    if (found == indices.end()) throw std::invalid_argument(fmt::format("a comparison names no group: {}", name));
-    return found->second;
-  };
-  for (Comparison& comparison : comparisons) {
-    comparison.first_index = index_of_group(comparison.first);
-    comparison.second_index = index_of_group(comparison.second);
-  }
 }
 
 Comparison better_first(Comparison comparison, std::string_view control, bool is_second_ahead) {

@@ -143,10 +143,6 @@ bool is_dominated(const Group& group);
 // Returns whether an average is worse than another one by more than the margin.
 bool is_worse_beyond_margin(const MetricSamples& samples, const AnalysisPlan& plan, double value, double other);
 
-// Sets the indices of comparisons that were made of other samples, such as of a part of these groups. Throws
-// std::invalid_argument if a comparison names a group that the samples do not have.
-void set_group_indices(std::vector<Comparison>& comparisons, const MetricSamples& samples);
-
 // Returns the comparison with the better group first. If neither is better, `is_second_ahead` swaps them. With a
 // control the control always comes second.
 Comparison better_first(Comparison comparison, std::string_view control, bool is_second_ahead = false);
