@@ -61,7 +61,7 @@ show::Report judge_file(const StatsArguments& arguments, FigureStyle& style) {
   refuse_no_table(text, arguments.file);
   csv::Quantities quantities = csv::read(text, source, arguments.csv);
   std::vector<judge::JudgedMetric> metrics;
-  for (judge::MetricSamples& samples : quantities.observed) {
+  for (judge::MetricSamples& samples : quantities.samples) {
     const results::AnalysisPlan plan = csv::with_margin(arguments.plan, arguments.margin, samples);
     if (arguments.margin.empty() && plan.margin == 0)
       quantities.notes.push_back(fmt::format("{} may be negative, so no margin is used.", samples.quantity));

@@ -27,11 +27,11 @@ class Mutator {
     double value = 0;
     for (std::size_t i = 1; i < text.size(); ++i) {
       if (!std::isdigit(static_cast<unsigned char>(text[i])) || !contains(" \t\n=,;[('\"-", {text[i - 1]})) continue;
-      double its = 0;
-      const char* const end = std::from_chars(text.data() + i, text.data() + text.size(), its).ptr;
+      double number = 0;
+      const char* const end = std::from_chars(text.data() + i, text.data() + text.size(), number).ptr;
       const auto size = static_cast<std::size_t>(end - text.data()) - i;
       const bool stands_alone = end == text.data() + text.size() || contains(" \t\r\n,;])}'\"", {*end});
-      if (stands_alone && below(++seen) == 0) place = i, length = size, value = its;
+      if (stands_alone && below(++seen) == 0) place = i, length = size, value = number;
       i += size;
     }
     if (length > 0) {

@@ -429,7 +429,7 @@ Quantities values_in(Sheet& sheet, const Request& request) {
     const Gaps gaps = gaps_of(layout, items);
     ask_about(gaps, sheet, items, request);
     fill(layout, items, gaps, request, samples);
-    quantities.observed.push_back(std::move(samples));
+    quantities.samples.push_back(std::move(samples));
   }
   return quantities;
 }
@@ -473,9 +473,9 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
     const auto place = static_cast<std::size_t>(std::ranges::find(titles, title) - titles.begin());
     if (place == titles.size()) {
       titles.push_back(title);
-      quantities.observed.push_back(quantity_of(title));
+      quantities.samples.push_back(quantity_of(title));
     }
-    MetricSamples& samples = quantities.observed[place];
+    MetricSamples& samples = quantities.samples[place];
     samples.kind = judge::Differences{};
     std::vector<Group>& groups = samples.groups;
     const std::string name(sheet.cell(row, label));
@@ -501,7 +501,7 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
         {.kind = WarningKind::deterministic, .solvers = {name}, .count = size, .total = size, .detail = "value"});
   }
   const std::vector<Better> better = better_of(sheet, request, titles);
-  for (std::size_t i = 0; i < titles.size(); ++i) quantities.observed[i].better = better[i];
+  for (std::size_t i = 0; i < titles.size(); ++i) quantities.samples[i].better = better[i];
   return quantities;
 }
 

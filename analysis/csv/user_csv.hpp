@@ -13,7 +13,7 @@ namespace ikbench::csv {
 
 // All quantities of a table.
 struct Quantities {
-  std::vector<judge::MetricSamples> observed;
+  std::vector<judge::MetricSamples> samples;
   std::vector<std::string> notes = {};  // sentences below the table of results: how the table was read
 };
 

@@ -12,8 +12,9 @@ using Cells = std::vector<std::vector<std::string>>;
 inline Cells cells_of(const base::CsvTable& table) {
   Cells cells{table.header};
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    std::vector<std::string>& its = cells.emplace_back();
-    for (std::size_t column = 0; column < table.header.size(); ++column) its.emplace_back(table.cell(row, column));
+    std::vector<std::string>& cells_of_row = cells.emplace_back();
+    for (std::size_t column = 0; column < table.header.size(); ++column)
+      cells_of_row.emplace_back(table.cell(row, column));
   }
   return cells;
 }

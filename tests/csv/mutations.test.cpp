@@ -26,7 +26,7 @@ TEST_CASE("whatever is in a CSV, it is judged or refused in one sentence", "[mut
     const bool is_refused = request.better.empty() || !request.where.empty();  // which asks, and has too few rows
     const auto judge_it = [&](const std::string& text) {
       csv::Quantities read = csv::read(text, "m.csv", request);
-      for (judge::MetricSamples& each : read.observed) {
+      for (judge::MetricSamples& each : read.samples) {
         const judge::AnalysisPlan plan = csv::with_margin({}, "", each);
         for (const judge::Group& group : judge::judge(std::move(each), plan).samples.groups)
           CHECK(std::ranges::none_of(values_of(group), [](double value) { return std::isnan(value); }));

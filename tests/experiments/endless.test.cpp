@@ -57,12 +57,12 @@ TEST_CASE("a program gets null for no limit, a whole turn each way to search in,
   CHECK(robot_told["joints"][1]["upper"] == arm.limits.upper[1]);
   const Problem problem{
       .start = Configuration::Constant(7, 0.2), .lower = arm.limits.lower, .upper = arm.limits.upper, .population = 20};
-  const nlohmann::json told =
+  const nlohmann::json message =
       nlohmann::json::parse(solve_message(problem, Eigen::Vector3d(0, 0, 0.5), {.iterations = 1000}, 1));
-  CHECK(told["lower"][0] == 0.2 - 2 * half);
-  CHECK(told["upper"][0] == 0.2 + 2 * half);
-  CHECK(told["upper"][1] == arm.limits.upper[1]);
-  CHECK(told["budget"]["iterations"] == 1000);
+  CHECK(message["lower"][0] == 0.2 - 2 * half);
+  CHECK(message["upper"][0] == 0.2 + 2 * half);
+  CHECK(message["upper"][1] == arm.limits.upper[1]);
+  CHECK(message["budget"]["iterations"] == 1000);
   const Goal pose{arm.chain.forward(Configuration::Constant(7, 0.7)), 0.25, GoalKind::pose};
   const nlohmann::json of_pose = nlohmann::json::parse(solve_message(problem, pose, {}, 1));
   CHECK(of_pose["target"]["rotation"] == row_major(pose.target.linear()));

@@ -96,10 +96,10 @@ TEST_CASE("every arm follows from its robot message alone, by the formulas of pr
   arms.push_back(load_robot("tests/data/urdf/ur5_calibrated.urdf"));  // whose axes are almost parallel
   for (const Robot& arm : arms) {
     CAPTURE(arm.name);
-    const auto told =
+    const auto message =
         nlohmann::json::parse(robot_message({.arm = arm, .searched = arm.chain, .goal = Eigen::Vector3d(0, 0, 0)}));
     const auto matrix = [&](const char* key) {
-      const std::vector<double> numbers = told[key];
+      const std::vector<double> numbers = message[key];
       return Eigen::Affine3d(
           Eigen::Matrix4d(Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(numbers.data())));
     };
@@ -107,7 +107,7 @@ TEST_CASE("every arm follows from its robot message alone, by the formulas of pr
     Eigen::Affine3d pose = matrix("base");
     const auto turn = [&](double angle, const Eigen::Vector3d& axis) { pose = pose * Eigen::AngleAxisd(angle, axis); };
     for (Eigen::Index j = 0; j < arm.joints(); ++j) {
-      const auto& joint = told["joints"][static_cast<std::size_t>(j)];
+      const auto& joint = message["joints"][static_cast<std::size_t>(j)];
       const bool slides = joint["type"] == "prismatic", is_coupled = joint["type"] == "coupled";
       const double theta = joint["theta"].get<double>() + (slides ? 0 : q[j]);
       const Eigen::Vector3d axis = is_coupled ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();

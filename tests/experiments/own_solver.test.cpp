@@ -102,7 +102,7 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
     std::string place;
     std::function<void(Best&)> fault;
     Status status;
-    std::string told = "", noted = "";
+    std::string anomaly = "", noted = "";
     bool asks = true;
     double last_noted = 2;
   };
@@ -143,7 +143,7 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
     study.solvers.push_back({.label = "RS", .solver = "random_search"});
     const StoredStudy stored = to_stored(study);
     std::vector<SolveRecord> neighbours;
-    for (const auto& [place, fault, status, told, noted, asks, last_noted] : all) {
+    for (const auto& [place, fault, status, anomaly, noted, asks, last_noted] : all) {
       INFO(search << ", " << place << ", " << name_of(status) << ", " << one_line(front(noted, 40)));
       Faulty::place = place, Faulty::fault = fault, Faulty::noted = noted, Faulty::asks = asks;
       Faulty::last_noted = last_noted;
@@ -151,7 +151,7 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
       Progress progress;
       {
         Store store(folder.path / "store.sqlite", Store::Mode::write);
-        progress = run(study, stored, store, {.jobs = told.size() % 2 == 0 ? 1 : 2});
+        progress = run(study, stored, store, {.jobs = anomaly.size() % 2 == 0 ? 1 : 2});
       }
       const Store store(folder.path / "store.sqlite", Store::Mode::read);
       const std::vector<SolveRecord> solves = solves_of(store, study.name), odd = only("mine", solves);
@@ -168,8 +168,8 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
       std::vector<SolveRecord> made;
       solve_without_store(study, 1, [&](SolveRecord solve) { made.push_back(std::move(solve)); });
       if (noted.size() < 20) CHECK(same_numbers(only("mine", made), odd));  // longer ones are cut
-      REQUIRE(progress.anomalies.size() == (told.empty() ? 0 : 1));
-      if (!told.empty()) CHECK_THAT(progress.anomalies[0], StartsWith("mine: ") && ContainsSubstring(told));
+      REQUIRE(progress.anomalies.size() == (anomaly.empty() ? 0 : 1));
+      if (!anomaly.empty()) CHECK_THAT(progress.anomalies[0], StartsWith("mine: ") && ContainsSubstring(anomaly));
     }
     Faulty::noted = "", Faulty::asks = true;
   }

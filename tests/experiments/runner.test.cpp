@@ -265,13 +265,13 @@ TEST_CASE("a store that was edited is refused and says where", "[runner]") {
 TEST_CASE("progress is told before the first solve and after every one, and never goes back", "[runner]") {
   for (const int jobs : {1, 3}) {
     ScratchStore scratch;
-    std::vector<std::int64_t> told;
+    std::vector<std::int64_t> reported;
     run(small_study(), scratch, {.jobs = jobs, .progress = [&](const Progress& now) {
                                    CHECK(now.total == 24);
-                                   told.push_back(now.done);
+                                   reported.push_back(now.done);
                                  }});
-    REQUIRE(told.size() == 25);
-    for (std::size_t i = 0; i < told.size(); ++i) CHECK(told[i] == static_cast<std::int64_t>(i));
+    REQUIRE(reported.size() == 25);
+    for (std::size_t i = 0; i < reported.size(); ++i) CHECK(reported[i] == static_cast<std::int64_t>(i));
   }
 }
 

@@ -146,9 +146,9 @@ TEST_CASE("mean ranks are those of the blocks, with a critical difference where 
       .metric = "error", .quantity = "error", .unit = "mm", .kind = Ratios{.floor = 1e-9}, .is_paired = true};
   std::vector<results::Series> solvers;
   for (int s = 0; s < 4; ++s) {
-    Sample its;
-    for (int i = 0; i < 20; ++i) its.values.push_back(1 + s * (i % 4 == 0 ? 1 : 3) % 4 + 0.01 * i);
-    of.groups.push_back({.name = std::string(1, static_cast<char>('A' + s)), .sample = std::move(its)});
+    Sample sample;
+    for (int i = 0; i < 20; ++i) sample.values.push_back(1 + s * (i % 4 == 0 ? 1 : 3) % 4 + 0.01 * i);
+    of.groups.push_back({.name = std::string(1, static_cast<char>('A' + s)), .sample = std::move(sample)});
     solvers.push_back({.label = of.groups.back().name, .algorithm = "x"});
   }
   const Look look = look_of(solvers, {});

@@ -47,14 +47,14 @@ std::vector<double> solved(int ones, int all) {
   return values;
 }
 
-Seen only(const std::vector<Seen>& comparisons) {
+FlatComparison only(const std::vector<FlatComparison>& comparisons) {
   REQUIRE(comparisons.size() == 1);
   return comparisons.front();
 }
 
-std::string verdicts(const std::vector<Seen>& comparisons) {
+std::string verdicts(const std::vector<FlatComparison>& comparisons) {
   std::string result;
-  for (const Seen& each : comparisons)
+  for (const FlatComparison& each : comparisons)
     result += each.first + each.second + " " + std::string(name_of(each.verdict)) + "; ";
   return result;
 }
@@ -66,10 +66,11 @@ int fewest(int k, bool is_paired, const std::string& control) {
     for (int g = 0; g < k; ++g) groups.push_back(ramp(n, 1 + 100 * g, 1));
     MetricSamples of = groups_of(groups);
     of.is_paired = is_paired;
-    const std::vector<Seen> comparisons = compared(of, {.control = control});
-    const auto is_tested = [](const Seen& each) { return each.why == SeenReason::tested; };
+    const std::vector<FlatComparison> comparisons = compared(of, {.control = control});
+    const auto is_tested = [](const FlatComparison& each) { return each.why == ResultKind::tested; };
     if (std::ranges::all_of(comparisons, is_tested)) {
-      CHECK(std::ranges::all_of(comparisons, [](const Seen& each) { return each.verdict == Verdict::better; }));
+      CHECK(
+          std::ranges::all_of(comparisons, [](const FlatComparison& each) { return each.verdict == Verdict::better; }));
       return n;
     }
     CHECK(std::ranges::none_of(comparisons, is_tested));
@@ -89,13 +90,13 @@ TEST_CASE("too few is a formula of sizes, pairs and significance", "[compare]") 
     CHECK(fewest(k, true, "A") == std::vector{6, 7, 7, 8, 8}[at]);
   }
   const MetricSamples six = paired(groups_of({ramp(6, 1, 0.1), ramp(6, 9, 0.1)}));  // p = 2 / 64, which has to be below
-  CHECK(only(compared(six, {.significance = 1 / 32.0})).why == SeenReason::too_few);
+  CHECK(only(compared(six, {.significance = 1 / 32.0})).why == ResultKind::too_few);
 }
 
 TEST_CASE("a pair that is not tested says how many it takes, and nothing of its few values", "[compare]") {
-  const Seen found = only(compared(groups_of({{1, 2, 3}, {4, 8, 12}}), by_ranks));
+  const FlatComparison found = only(compared(groups_of({{1, 2, 3}, {4, 8, 12}}), by_ranks));
   CHECK(found.verdict == Verdict::not_tested);
-  CHECK(found.why == SeenReason::too_few);
+  CHECK(found.why == ResultKind::too_few);
   CHECK(found.needed == 4);
   CHECK_FALSE(found.p);
   CHECK_FALSE(found.interval);
@@ -108,7 +109,7 @@ TEST_CASE("p is times the pairs, and with a control times those of the control",
     return rank_test(values_of(of.groups[a]), values_of(of.groups[b]), 0.05).p;
   };
   const std::vector<double> all{p_of(0, 1), p_of(0, 2), p_of(1, 2)}, of_b{p_of(0, 1), p_of(1, 2)};
-  const std::vector<Seen> comparisons = compared(of, by_ranks), with_b = compared(of, {.control = "B"});
+  const std::vector<FlatComparison> comparisons = compared(of, by_ranks), with_b = compared(of, {.control = "B"});
   for (std::size_t i = 0; i < 3; ++i) CHECK(*comparisons[i].p == std::min(1.0, 3 * all[i]));
   REQUIRE(with_b.size() == 2);
   for (std::size_t i = 0; i < 2; ++i) CHECK(*with_b[i].p == std::min(1.0, 2 * of_b[i]));
@@ -121,7 +122,7 @@ TEST_CASE("p is times the pairs, and with a control times those of the control",
 TEST_CASE("values at the tolerance are no evidence of the same while others are far from it", "[compare]") {
   std::vector<double> all_but_two(20, 0.01);
   all_but_two[4] = 3, all_but_two[9] = 5;
-  const Seen found = only(compared(groups_of({std::vector<double>(20, 0.01), all_but_two}), by_ranks));
+  const FlatComparison found = only(compared(groups_of({std::vector<double>(20, 0.01), all_but_two}), by_ranks));
   CHECK_FALSE(found.interval);  // it would be from 1 to 1
   CHECK(found.verdict == Verdict::inconclusive);
 }
@@ -129,7 +130,7 @@ TEST_CASE("values at the tolerance are no evidence of the same while others are 
 TEST_CASE("where most are equal and p decides, no estimate of 1 stands beside it", "[compare]") {
   std::vector<double> some(60, 0.01);
   for (std::size_t i = 0; i < 15; ++i) some[i] = 1 + static_cast<double>(i);
-  const Seen found = only(compared(groups_of({std::vector<double>(60, 0.01), some}), by_ranks));
+  const FlatComparison found = only(compared(groups_of({std::vector<double>(60, 0.01), some}), by_ranks));
   CHECK(found.verdict == Verdict::better);
   CHECK_FALSE(found.estimate);
   CHECK_FALSE(found.interval);
@@ -144,7 +145,7 @@ TEST_CASE("all values equal are the same from 73, 109, 164 observations on for 1
       for (const bool is_enough : {false, true}) {
         MetricSamples of = groups_of(Lists(k, std::vector<double>(is_enough ? n : n - 1, value)), scale);
         of.is_paired = is_paired;
-        for (const Seen& each : compared(of, by_ranks)) {
+        for (const FlatComparison& each : compared(of, by_ranks)) {
           CAPTURE(k, is_enough, is_paired, value);
           CHECK(each.are_all_equal);
           CHECK(each.p == 1);
@@ -159,7 +160,7 @@ TEST_CASE("an interval without width stands only beside what it decides", "[comp
   for (const std::size_t n : {40u, 80u}) {
     Lists lists(2, std::vector<double>(n, 2.0));
     lists[0][0] = 3;
-    const Seen found = only(compared(paired(groups_of(lists)), by_ranks));
+    const FlatComparison found = only(compared(paired(groups_of(lists)), by_ranks));
     CHECK(*found.estimate == 1);
     CHECK(found.verdict == (found.interval ? Verdict::equivalent : Verdict::inconclusive));
     CHECK(found.interval.has_value() == (n == 80));
@@ -186,7 +187,7 @@ TEST_CASE("a constant ratio within the margin is no plain better", "[compare]") 
       for (const double ratio : {1.01, 1.0505}) {
         MetricSamples of = groups_of({std::vector<double>(20, 1.0), std::vector<double>(20, ratio)});
         of.is_paired = is_paired;
-        const Seen found = only(compared(of, plan));
+        const FlatComparison found = only(compared(of, plan));
         CHECK(found.verdict == Verdict::better);
         CHECK(found.is_within_margin == (ratio < 1.05));
       }
@@ -211,12 +212,13 @@ TEST_CASE("an absolute margin holds for ranks and for means, of differences and 
     CHECK_FALSE(within(0.01, negative, EffectScale::difference).is_within_margin);
     // 0.001 cm and 0.002 cm differ by a factor of two, and by less than 0.01 cm.
     const Lists small{lognormal(20, 0.001, 0.1, 1), lognormal(20, 0.002, 0.1, 2)};
-    const Seen hair = within(0.01, small, EffectScale::ratio, 0.05);
+    const FlatComparison hair = within(0.01, small, EffectScale::ratio, 0.05);
     CHECK(hair.verdict == Verdict::better);
     CHECK(hair.is_within_margin);
     CHECK_FALSE(only(compared(groups_of(small), {.test = test})).is_within_margin);
   }
-  const Seen relative = only(compared(groups_of({negative[0], negative[0]}, EffectScale::difference), by_means));
+  const FlatComparison relative =
+      only(compared(groups_of({negative[0], negative[0]}, EffectScale::difference), by_means));
   CHECK(relative.verdict == Verdict::equivalent);  // 0.25 of -5
 }
 
@@ -234,7 +236,7 @@ TEST_CASE("no share of medians is a margin where a value is no answer", "[compar
 TEST_CASE("values below the floor are raised to it, and 0 to 0 is the ratio 1", "[compare]") {
   MetricSamples of = paired(groups_of({{0, 1e-9, 3, 3, 3, 3, 3, 3}, {1e-12, 0, 6, 6.1, 6.2, 6.3, 6.4, 6.5}}));
   of.kind = Ratios{.floor = 1e-7};
-  const Seen found = only(compared(of, by_ranks));
+  const FlatComparison found = only(compared(of, by_ranks));
   CHECK(*found.p == 2 / 64.0);      // two pairs are equal, six ranks are left
   CHECK(*found.effect == 7.0 / 8);  // equal pairs count half
   CHECK(*found.estimate == Approx(0.5).epsilon(0.1));
@@ -244,12 +246,12 @@ TEST_CASE("values below the floor are raised to it, and 0 to 0 is the ratio 1", 
 
 TEST_CASE("differences that rounding alone keeps apart are equal", "[compare]") {
   // 0.3 - 0.1 and 0.4 - 0.2 differ in the last bit.
-  const Seen found = only(compared(
+  const FlatComparison found = only(compared(
       paired(groups_of({{0.3, 0.4, 0.5, 0.6, 0.7, 0.8}, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}}, EffectScale::difference)),
       by_ranks));
   CHECK(*found.p == 2 / 64.0);
   CHECK(found.interval->low == found.interval->high);
-  const Seen far = only(  // and so in larger numbers, which round more
+  const FlatComparison far = only(  // and so in larger numbers, which round more
       compared(
           paired(groups_of({{100.3, 200.4, 300.5, 400.6, 500.7, 600.8}, {100.1, 200.2, 300.3, 400.4, 500.5, 600.6}},
                            EffectScale::difference)),
@@ -266,10 +268,10 @@ TEST_CASE("differences that rounding alone keeps apart are equal", "[compare]") 
 TEST_CASE("a plan by means has Welch's and the paired t, of differences", "[compare]") {
   const Lists sleep{{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0},
                     {1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4}};
-  const Seen unpaired = only(compared(groups_of(sleep, EffectScale::difference), by_means));
+  const FlatComparison unpaired = only(compared(groups_of(sleep, EffectScale::difference), by_means));
   CHECK(unpaired.scale == EffectScale::difference);
   CHECK(unpaired.test == "Welch's t");
-  const Seen in_blocks = only(compared(paired(groups_of(sleep, EffectScale::difference)), by_means));
+  const FlatComparison in_blocks = only(compared(paired(groups_of(sleep, EffectScale::difference)), by_means));
   CHECK(in_blocks.verdict == Verdict::better);
   CHECK(in_blocks.interval->low == Approx(-2.4598858).epsilon(1e-7));  // R, t.test
   CHECK(*in_blocks.effect == 0.95);                                    // nine of ten smaller, one equal
@@ -280,7 +282,7 @@ TEST_CASE("means need three values: of two the larger is more than half of their
     for (int n = 1; n <= 3; ++n) {
       MetricSamples of = groups_of({ramp(n, 1, 0.001), ramp(n, 50, 0.01)});
       of.is_paired = is_paired;
-      const Seen found = only(compared(of, by_means));
+      const FlatComparison found = only(compared(of, by_means));
       CHECK(found.verdict == (n < 3 ? Verdict::not_tested : Verdict::better));
       CHECK(found.needed == (n < 3 ? 3 : 0));
     }
@@ -295,7 +297,7 @@ TEST_CASE("published summaries are judged by Welch's t, of differences", "[compa
                {.name = "DE", .sample = SummaryStatistics{20, 0.3653, 0.2929}},
                {.name = "K-ABC", .sample = SummaryStatistics{20, 0.2318, 0.0722}}};
   for (const AnalysisPlan& plan : {by_ranks, by_means}) {
-    const std::vector<Seen> comparisons = compared(of, plan);
+    const std::vector<FlatComparison> comparisons = compared(of, plan);
     CHECK(verdicts(comparisons) ==
           "IK-BABA better; IK-BADE better; IK-BAK-ABC better; BADE worse; BAK-ABC worse; DEK-ABC inconclusive; ");
     CHECK(comparisons[0].scale == EffectScale::difference);
@@ -338,10 +340,10 @@ TEST_CASE("an interval of shares ends at 1", "[compare]") {
 TEST_CASE("Fisher's smallest p is one table of groups of two sizes, two of equal ones", "[compare]") {
   const MetricSamples unequal = groups_of({solved(3, 3), solved(0, 4)}, EffectScale::share);
   CHECK(*only(compared(unequal, by_ranks)).p == Approx(1 / 35.0));
-  CHECK(only(compared(unequal, {.significance = 0.0285})).why == SeenReason::too_few);
+  CHECK(only(compared(unequal, {.significance = 0.0285})).why == ResultKind::too_few);
   const MetricSamples equal = groups_of({solved(4, 4), solved(0, 4)}, EffectScale::share);
   CHECK(*only(compared(equal, by_ranks)).p == Approx(2 / 70.0));
-  CHECK(only(compared(equal, {.significance = 0.0285})).why == SeenReason::too_few);
+  CHECK(only(compared(equal, {.significance = 0.0285})).why == ResultKind::too_few);
 }
 
 TEST_CASE("one target solved among many does not keep shares from a verdict", "[compare]") {
@@ -355,8 +357,8 @@ TEST_CASE("one target solved among many does not keep shares from a verdict", "[
 TEST_CASE("two solvers that repeat themselves differ by a fact", "[compare]") {
   MetricSamples of = groups_of({{2}, {4}});
   for (Group& group : of.groups) group.sample = Sample{.values = {values_of(group).front()}, .is_deterministic = true};
-  const Seen found = only(compared(of, by_ranks));
-  CHECK(found.why == SeenReason::fact);
+  const FlatComparison found = only(compared(of, by_ranks));
+  CHECK(found.why == ResultKind::deterministic);
   CHECK(found.verdict == Verdict::better);
   CHECK(*found.estimate == Approx(0.5));
   CHECK_FALSE(found.p);
@@ -387,14 +389,14 @@ TEST_CASE("which group stands first changes no p", "[compare]") {
     const std::vector<double> copied(45, 1), others{2, 3, 4};
     MetricSamples of = groups_of({are_first ? copied : others, are_first ? others : copied});
     sample_of(of.groups[are_first ? 0 : 1]).is_constant = true;
-    CHECK(only(compared(of, by_ranks)).why == SeenReason::too_few);
+    CHECK(only(compared(of, by_ranks)).why == ResultKind::too_few);
   }
 }
 
 TEST_CASE("runs are compared with the value of a solver that repeats itself by their signs", "[compare]") {
   MetricSamples of = groups_of({{1}, {2, 3, 4, 5, 6, 7}});
   of.groups[0].sample = Sample{.values = {values_of(of.groups[0]).front()}, .is_deterministic = true};
-  const Seen found = only(compared(of, by_ranks));
+  const FlatComparison found = only(compared(of, by_ranks));
   CHECK(found.test == "sign test");
   CHECK(*found.p == 2 / 64.0);
   CHECK(found.verdict == Verdict::better);
@@ -405,8 +407,8 @@ TEST_CASE("runs are compared with the value of a solver that repeats itself by t
   values_in(of.groups[1]) = {1, 1, 2, 3, 4, 5, 6};
   CHECK(only(compared(of, by_ranks)).verdict == Verdict::inconclusive);
   values_in(of.groups[1]) = {2, 3, 4, 5, 6};
-  const Seen few = only(compared(of, by_ranks));
-  CHECK(few.why == SeenReason::too_few);
+  const FlatComparison few = only(compared(of, by_ranks));
+  CHECK(few.why == ResultKind::too_few);
   CHECK(few.n == 5);
   CHECK(few.needed == 6);
 }
@@ -416,7 +418,7 @@ TEST_CASE("a solver that repeats itself differs in shares by the difference of t
   MetricSamples of = groups_of({{1}, {.1, .2, .3, .1, .2, .1, .2, .3, .1, .1}}, EffectScale::share);
   of.groups[0].sample = Sample{.values = {1}, .is_deterministic = true};
   set_trials(of, 10);
-  const Seen found = only(compared(of, by_ranks));
+  const FlatComparison found = only(compared(of, by_ranks));
   CHECK(found.test == "one-sample t");
   CHECK(*found.estimate == Approx(0.83));
   CHECK(found.n == 10);
@@ -430,7 +432,7 @@ TEST_CASE("values of fifteen decades differ by their ratios from one that repeat
       groups_of({{}, {4e-16, 5e-16, 6e-16, 7e-16, 8e-16, 4.5e-16, 5.5e-16, 6.5e-16, 7.5e-16, 8.5e-16, .9}});
   of.groups[0].sample = Sample{.values = {1e-16}, .is_deterministic = true};
   of.kind = Ratios{.floor = 1e-300};
-  const Seen found = only(compared(of, by_ranks));
+  const FlatComparison found = only(compared(of, by_ranks));
   CHECK(found.n == 11);
   CHECK(*found.p == 2 / 2048.0);
   CHECK(found.verdict == Verdict::better);
@@ -448,7 +450,7 @@ TEST_CASE("as many more observations as it says would about decide what is incon
   // 55 of 100 ahead: McNemar at 0.05 with a chance of 0.8 takes 783 pairs, all of which differ (Lehr's 8 / 0.1^2).
   MetricSamples of = paired(groups_of({solved(55, 100), solved(45, 100)}, EffectScale::share));
   std::ranges::reverse(values_in(of.groups[1]));
-  const Seen found = only(compared(of, by_ranks));
+  const FlatComparison found = only(compared(of, by_ranks));
   CHECK(found.verdict == Verdict::inconclusive);
   CHECK(std::get<TestResult>(found.result).required_n > 650);
   CHECK(std::get<TestResult>(found.result).required_n < 1100);          // the exact p is larger than the normal one
@@ -470,14 +472,14 @@ TEST_CASE("of equal values that may be copies the larger p of two readings decid
   };
   std::vector<double> most_equal(94, 0.01);
   for (int i = 1; i <= 6; ++i) most_equal.push_back(0.01 + 0.01 * i);
-  const Seen few_against_many = found_of(std::vector(6, 0.01), most_equal);
+  const FlatComparison few_against_many = found_of(std::vector(6, 0.01), most_equal);
   CHECK(*few_against_many.p == Approx(0.550).epsilon(0.001));  // Mann-Whitney; the sign test alone says 0.031
   CHECK(few_against_many.verdict == Verdict::inconclusive);
   std::vector<double> spread;
   for (int i = 0; i < 20; ++i) spread.push_back(1.5 + 0.1 * i);
   CHECK(*found_of(std::vector(20, 1.0), spread).p == Approx(1.91e-6).epsilon(0.002));  // the sign test
   CHECK(*found_of(std::vector(10, 1.0), std::vector(10, 2.0)).p == Approx(1.08e-5).epsilon(0.003));
-  CHECK(found_of(std::vector(3, 1.0), std::vector(3, 2.0)).why == SeenReason::too_few);
+  CHECK(found_of(std::vector(3, 1.0), std::vector(3, 2.0)).why == ResultKind::too_few);
 }
 
 TEST_CASE("verdicts may form a circle", "[compare]") {
@@ -490,7 +492,7 @@ TEST_CASE("verdicts may form a circle", "[compare]") {
     return values;
   };
   MetricSamples of = groups_of({dice({2, 4, 9}), dice({1, 6, 8}), dice({3, 5, 7})}, EffectScale::difference);
-  const std::vector<Seen> comparisons = compared(of, by_ranks);
+  const std::vector<FlatComparison> comparisons = compared(of, by_ranks);
   CHECK(verdicts(comparisons) == "AB worse; AC better; BC worse; ");
 }
 
@@ -522,10 +524,10 @@ TEST_CASE("A pair has the blocks that both groups have, and can decide what thei
   CHECK(comparisons[0].n == 6);
   CHECK(*comparisons[0].p == 2 / 64.0);
   CHECK(*comparisons[0].estimate == Approx(0.0776131597));
-  CHECK(comparisons[1].why == SeenReason::too_few);
+  CHECK(comparisons[1].why == ResultKind::too_few);
   CHECK(comparisons[1].n == 0);
   CHECK_FALSE(comparisons[1].estimate);
-  CHECK(comparisons[2].why == SeenReason::too_few);
+  CHECK(comparisons[2].why == ResultKind::too_few);
   CHECK(comparisons[2].n == 3);
   CHECK_FALSE(comparisons[2].estimate);  // of so few it would say more than it can
 }

@@ -3,7 +3,7 @@
 
 namespace {
 
-MetricSamples observed(std::vector<std::vector<double>> groups) {
+MetricSamples samples_of(std::vector<std::vector<double>> groups) {
   MetricSamples of{.metric = "x", .quantity = "x"};
   for (auto& values : groups) of.groups.push_back({.name = "g", .sample = Sample{std::move(values)}});
   return of;
@@ -76,7 +76,7 @@ TEST_CASE("a summary has no more than its three numbers", "[describe]") {
 }
 
 TEST_CASE("ANOVA of PlantGrowth is that of R", "[describe]") {
-  const OmnibusTest test = anova(observed(plants)).front();
+  const OmnibusTest test = anova(samples_of(plants)).front();
   CHECK(test.statistic == Approx(4.846088).epsilon(1e-6));
   CHECK(test.df == 2);
   CHECK(test.df_within == 27);
@@ -87,28 +87,28 @@ TEST_CASE("ANOVA of PlantGrowth is that of R", "[describe]") {
 
 TEST_CASE("tests of all have the numbers of R, also in blocks", "[describe]") {
   // InsectSprays: aov 34.70.
-  const MetricSamples sprays = observed({{10, 7, 20, 14, 14, 12, 10, 23, 17, 20, 14, 13},
-                                         {11, 17, 21, 11, 16, 14, 17, 17, 19, 21, 7, 13},
-                                         {0, 1, 7, 2, 3, 1, 2, 1, 3, 0, 1, 4},
-                                         {3, 5, 12, 6, 4, 3, 5, 5, 5, 5, 2, 4},
-                                         {3, 5, 3, 5, 3, 6, 1, 1, 3, 2, 6, 4},
-                                         {11, 9, 15, 22, 15, 16, 13, 10, 26, 26, 24, 13}});
+  const MetricSamples sprays = samples_of({{10, 7, 20, 14, 14, 12, 10, 23, 17, 20, 14, 13},
+                                           {11, 17, 21, 11, 16, 14, 17, 17, 19, 21, 7, 13},
+                                           {0, 1, 7, 2, 3, 1, 2, 1, 3, 0, 1, 4},
+                                           {3, 5, 12, 6, 4, 3, 5, 5, 5, 5, 2, 4},
+                                           {3, 5, 3, 5, 3, 6, 1, 1, 3, 2, 6, 4},
+                                           {11, 9, 15, 22, 15, 16, 13, 10, 26, 26, 24, 13}});
   CHECK(anova(sprays).front().statistic == Approx(34.70228).epsilon(1e-6));
   // OrchardSprays by row of the orchard: aov with Error(row) 20.908.
-  MetricSamples orchard = observed({{12, 4, 5, 5, 4, 2, 3, 2},
-                                    {8, 6, 8, 14, 4, 7, 10, 4},
-                                    {84, 29, 13, 9, 17, 16, 15, 19},
-                                    {57, 28, 39, 36, 22, 27, 20, 51},
-                                    {43, 95, 114, 39, 51, 55, 47, 61},
-                                    {87, 114, 44, 57, 20, 90, 69, 71},
-                                    {80, 72, 60, 77, 92, 24, 72, 71},
-                                    {130, 72, 127, 69, 86, 81, 81, 76}});
+  MetricSamples orchard = samples_of({{12, 4, 5, 5, 4, 2, 3, 2},
+                                      {8, 6, 8, 14, 4, 7, 10, 4},
+                                      {84, 29, 13, 9, 17, 16, 15, 19},
+                                      {57, 28, 39, 36, 22, 27, 20, 51},
+                                      {43, 95, 114, 39, 51, 55, 47, 61},
+                                      {87, 114, 44, 57, 20, 90, 69, 71},
+                                      {80, 72, 60, 77, 92, 24, 72, 71},
+                                      {130, 72, 127, 69, 86, 81, 81, 76}});
   orchard.is_paired = true;
   CHECK(anova(orchard).front().statistic == Approx(20.9082518).epsilon(1e-8));
   CHECK(anova(orchard).front().df_within == 49);
 
   // Unequal spreads: oneway.test of R 4.2; rm_anova of pingouin 0.7.0.
-  CHECK(anova(observed(plants)).back().statistic == Approx(5.181).epsilon(1e-4));
+  CHECK(anova(samples_of(plants)).back().statistic == Approx(5.181).epsilon(1e-4));
   const OmnibusTest welch = anova(sprays).back();
   CHECK(welch.statistic == Approx(36.0654438936).epsilon(1e-10));
   CHECK(welch.df == 5);
@@ -134,7 +134,7 @@ TEST_CASE("tests of all have the numbers of R, also in blocks", "[describe]") {
 }
 
 TEST_CASE("without spread in a group Welch's F is not defined", "[describe]") {
-  CHECK(anova(observed({{1, 2, 3}, {5, 5, 5}})).size() == 1);
+  CHECK(anova(samples_of({{1, 2, 3}, {5, 5, 5}})).size() == 1);
 }
 
 TEST_CASE("ANOVA has the digits that NIST certifies, also where many equal leading ones cost some", "[describe]") {
@@ -142,17 +142,17 @@ TEST_CASE("ANOVA has the digits that NIST certifies, also where many equal leadi
        {std::pair{"SiRstv", 1e-9}, {"AtmWtAg", 1e-9}, {"SmLs04", 1e-9}, {"SmLs07", 1e-4}}) {
     CAPTURE(name);
     const auto [groups, f] = of_nist(name);
-    CHECK(anova(observed(groups)).front().statistic == Approx(f).epsilon(digits));
+    CHECK(anova(samples_of(groups)).front().statistic == Approx(f).epsilon(digits));
   }
-  CHECK(anova(observed(of_nist("SiRstv").first)).front().p ==
+  CHECK(anova(samples_of(of_nist("SiRstv").first)).front().p ==
         Approx(0.349447493402193).epsilon(1e-12));  // R 4.2.2, aov
 }
 
 TEST_CASE("what has no spread, no second group or no value has no test of all", "[describe]") {
   for (const auto& groups : {std::vector<std::vector<double>>{}, {{1, 2}}, {{1, 2}, {}}, {{3, 3}, {3, 3}}})
-    CHECK(anova(observed(groups)).empty());
-  CHECK(anova(observed({{1}, {2}})).empty());
-  MetricSamples lost = observed({{1, 2}, {3, 5}});
+    CHECK(anova(samples_of(groups)).empty());
+  CHECK(anova(samples_of({{1}, {2}})).empty());
+  MetricSamples lost = samples_of({{1, 2}, {3, 5}});
   lost.groups[0].sample = ExcludedSample{.missing = 1, .values = values_in(lost.groups[0])};
   CHECK(anova(lost).empty());
 }

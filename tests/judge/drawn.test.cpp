@@ -35,7 +35,7 @@ struct Table {
     return {groups[group].begin() + (lacks_block ? 1 : 0), groups[group].end()};
   }
   Real margin(Real a, Real b) const {  // of differences
-    const auto has_negative = [](const Reals& its) { return std::ranges::min(its) < 0; };
+    const auto has_negative = [](const Reals& values) { return std::ranges::min(values) < 0; };
     if (is_share) return 0.05L;
     return std::ranges::any_of(groups, has_negative) ? 0 : 0.05L * std::min(std::abs(a), std::abs(b));
   }
@@ -162,10 +162,10 @@ Reals ways_of(const std::vector<std::size_t>& ranks, std::size_t chosen) {
 }
 
 // Twice the tail on the side of the mean.
-Real tails(const Reals& ways, std::size_t seen) {
+Real tails(const Reals& ways, std::size_t statistic) {
   Real low = 0, high = 0, sum = 0;
-  for (std::size_t s = 0; s < ways.size(); ++s) (s <= seen ? low : high) += ways[s], sum += ways[s] * real(s);
-  const Real tail = real(seen) <= sum / (low + high) + 1e-9L ? low : high + ways[seen];
+  for (std::size_t s = 0; s < ways.size(); ++s) (s <= statistic ? low : high) += ways[s], sum += ways[s] * real(s);
+  const Real tail = real(statistic) <= sum / (low + high) + 1e-9L ? low : high + ways[statistic];
   return std::min(Real(1), 2 * tail / (low + high));
 }
 
@@ -238,8 +238,9 @@ Found unpaired_ranks(const Reals& a, const Reals& b, Real level) {
       if (*at != *std::next(at) && brunner_munzel_p(a, b, (*at + *std::next(at)) / 2) < level) return *at;
     return *std::prev(to);
   };
-  if (const auto its = found.interval)
-    found.interval = {reach(its->first, sums.rbegin(), sums.rend()), reach(its->second, sums.begin(), sums.end())};
+  if (const auto interval = found.interval)
+    found.interval = {reach(interval->first, sums.rbegin(), sums.rend()),
+                      reach(interval->second, sums.begin(), sums.end())};
   return found;
 }
 
@@ -340,7 +341,9 @@ Right right_of(const Table& table, const Reals& first, const Reals& second, Real
   const auto is_inside = [&](const Boundaries& ends) {
     return ends.first >= -margin * (1 + 1e-9L) && ends.second <= margin * (1 + 1e-9L);
   };
-  const auto held = [](const Found& its) { return its.interval.value_or(Boundaries(its.estimate, its.estimate)); };
+  const auto held = [](const Found& result) {
+    return result.interval.value_or(Boundaries(result.estimate, result.estimate));
+  };
   const Real apart = centre_of(table, a) - centre_of(table, b);
   const bool is_decided = found.p * tests < 0.05L, has_width = held(found).first < held(found).second;
   const bool could_fail =
@@ -394,11 +397,11 @@ Rights rights_of(const Table& table) {
       family[{i, j}] = smallest_of(table, table.common(i, j).size(), table.common(j, i).size());
     }
   }
-  const auto p_of = [](const auto& its) { return its.second; };
+  const auto p_of = [](const auto& member) { return member.second; };
   while (!family.empty()) {
     const Real worst = p_of(*std::ranges::max_element(family, {}, p_of));
     if (worst < 0.05L / real(family.size())) break;
-    std::erase_if(family, [&](const auto& its) { return p_of(its) == worst; });
+    std::erase_if(family, [&](const auto& member) { return p_of(member) == worst; });
   }
   for (const auto& [pair, p] : family) {
     const std::string one = table.name(pair.first), other = table.name(pair.second);
@@ -507,12 +510,12 @@ std::string untruth_in(const Comparison& comparison, const JudgedMetric& judged,
   if (contains(words, "less than") != right.is_small) return words;
   if (contains(words, "equal") && right.ahead + right.behind > 0) return words;
   const std::regex form(R"((-?[0-9.e+]+)[^(]*\((above )?(-?[0-9.e+]+) to (below )?(-?[0-9.e+]+)\))");
-  std::smatch its;
-  if (!std::regex_match(amount, its, form)) return "";
-  const double value = std::stod(its.str(1)), low = std::stod(its.str(3)), high = std::stod(its.str(5));
+  std::smatch numbers;
+  if (!std::regex_match(amount, numbers, form)) return "";
+  const double value = std::stod(numbers.str(1)), low = std::stod(numbers.str(3)), high = std::stod(numbers.str(5));
   const auto none = static_cast<double>(right.none);
   const bool is_out =
-      low > none || high < none || (low == none && its.length(2) > 0) || (high == none && its.length(4) > 0);
+      low > none || high < none || (low == none && numbers.length(2) > 0) || (high == none && numbers.length(4) > 0);
   return low <= value && value <= high && is_out == is_difference(right.verdict) ? "" : amount;
 }
 
@@ -540,7 +543,7 @@ TEST_CASE("drawn tables are judged as a second reference judges them", "[drawn][
     if (table.is_huge) check("refused", contains(complaint<std::invalid_argument>(read), "beyond"), "1e300");
     if (table.is_huge) continue;
     ++tables;
-    MetricSamples samples = read().observed[0];
+    MetricSamples samples = read().samples[0];
     const auto test = table.by_means ? AnalysisPlan::Test::means : AnalysisPlan::Test::ranks;
     const JudgedMetric judged = ikbench::judge::judge(samples, csv::with_margin({.test = test}, "", samples));
     const show::ReportModel answer = show::make_report_model({judged});
@@ -558,22 +561,23 @@ TEST_CASE("drawn tables are judged as a second reference judges them", "[drawn][
       return std::abs(value - right) <= 1e-7L * std::abs(right) + std::min(rounding, 1e-6L) + 1e-16L;
     };
     for (const Comparison& comparison : judged.comparisons) {
-      const Seen its = seen(comparison);
+      const FlatComparison result = flat(comparison);
       const Right& right = rights.at({comparison.first, comparison.second});
       const auto check_pair = [&](const char* what, bool is_so) {
-        const auto& [one, other] = std::pair(name_of(its.verdict), name_of(right.verdict));
+        const auto& [one, other] = std::pair(name_of(result.verdict), name_of(right.verdict));
         check(what, is_so, fmt::format("{} and {}: {}, right: {}", comparison.first, comparison.second, one, other));
       };
       ++said[std::string(name_of(right.verdict)) + (right.is_small ? " by little" : "")];
       const bool is_little = right.is_small || right.verdict == Verdict::equivalent;
-      check_pair("verdict", its.verdict == right.verdict && its.is_within_margin == is_little);
-      if (right.verdict == Verdict::not_tested || its.verdict == Verdict::not_tested) continue;
-      const bool has_p = its.p.has_value(), has_end = its.interval.has_value(), has_value = its.estimate.has_value();
-      const Interval found = its.interval.value_or(Interval{});
+      check_pair("verdict", result.verdict == right.verdict && result.is_within_margin == is_little);
+      if (right.verdict == Verdict::not_tested || result.verdict == Verdict::not_tested) continue;
+      const bool has_p = result.p.has_value(), has_end = result.interval.has_value(),
+                 has_value = result.estimate.has_value();
+      const Interval found = result.interval.value_or(Interval{});
       const auto [low, high] = right.interval.value_or(Boundaries(0, 0));
-      check_pair("p", has_p != right.few_decide && (!has_p || is_near(*its.p / static_cast<double>(right.p), 1)));
+      check_pair("p", has_p != right.few_decide && (!has_p || is_near(*result.p / static_cast<double>(right.p), 1)));
       check_pair("estimate", has_value == right.estimate.has_value() &&
-                                 is_near(its.estimate.value_or(0), right.estimate.value_or(0)));
+                                 is_near(result.estimate.value_or(0), right.estimate.value_or(0)));
       check_pair("interval",
                  has_end == right.interval.has_value() && is_near(found.low, low) && is_near(found.high, high));
       if (const auto* const tested = std::get_if<TestResult>(&comparison.result))

@@ -232,14 +232,14 @@ TEST_CASE("verdicts are wrong no more often than they say", "[error_rates]") {
     std::string ours, theirs;
     for (const int n : {5, 10, 20}) {
       for (const std::size_t k : {2u, 3u, 6u}) {
-        double share = 0, by_mann_whitney = 0, told = 0;
+        double share = 0, by_mann_whitney = 0, counted_sets = 0;
         for (int set = 0; set < sets; ++set) {
           Random random(1'000'003 * ++seed);
           const MetricSamples of = drawn(row, k, n, random);
-          if (const double one = counted(row, of, k); !std::isnan(one)) share += one, ++told;
+          if (const double one = counted(row, of, k); !std::isnan(one)) share += one, ++counted_sets;
           if (row.counts == Counts::better_than_others) by_mann_whitney += found_by_mann_whitney(of) / sets;
         }
-        share /= std::max(told, 1.0);
+        share /= std::max(counted_sets, 1.0);
         CAPTURE(row.name, n, k, share, by_mann_whitney);
         // Of few sets a true 0.05 shows up to 0.05 and four standard errors.
         const double chance = asked ? 0 : 4 * std::sqrt(0.05 * 0.95 / sets);

@@ -14,7 +14,7 @@ std::string slugs(const JudgedStudy& of) {
   return all;
 }
 
-bool has_doubt(const std::vector<Warning>& warnings, WarningKind kind) {
+bool has_warning(const std::vector<Warning>& warnings, WarningKind kind) {
   return std::ranges::find(warnings, kind, &Warning::kind) != warnings.end();
 }
 
@@ -57,11 +57,11 @@ TEST_CASE("The plan's test, level, margin and control reach the comparison") {
     return metric(judge::judge(study({.runs = 8, .rest = R"(, "analysis": )" + plan}, errors, {"A", "B", "C"})),
                   "error");
   };
-  CHECK(seen(judged(R"({"test": "means"})").comparisons.front()).test == "Welch's t");
+  CHECK(flat(judged(R"({"test": "means"})").comparisons.front()).test == "Welch's t");
   CHECK(judged(R"({"control": "B"})").comparisons.size() == 2);
-  CHECK(seen(judged(R"({"significance": 0.0001})").comparisons.front()).why == SeenReason::too_few);
-  CHECK_FALSE(seen(judged(R"({})").comparisons.front()).is_within_margin);
-  CHECK(seen(judged(R"({"margin_percent": 99})").comparisons.front()).is_within_margin);
+  CHECK(flat(judged(R"({"significance": 0.0001})").comparisons.front()).why == ResultKind::too_few);
+  CHECK_FALSE(flat(judged(R"({})").comparisons.front()).is_within_margin);
+  CHECK(flat(judged(R"({"margin_percent": 99})").comparisons.front()).is_within_margin);
 }
 
 TEST_CASE("Means that few values decide are told") {
@@ -74,7 +74,7 @@ TEST_CASE("Means that few values decide are told") {
                                                                                        : 1 + 0.01 * solve.run;
                                                        })),
                                     "error");
-  REQUIRE(has_doubt(error.samples.warnings, WarningKind::dominated_by_few));
+  REQUIRE(has_warning(error.samples.warnings, WarningKind::dominated_by_few));
   CHECK(error.samples.warnings.front().solvers == std::vector<std::string>{"B"});
 }
 

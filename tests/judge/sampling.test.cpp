@@ -10,7 +10,7 @@ const Asked chained{}, fixed_targets{.start = "middle"}, drawn{.start = "middle"
     drawn_runs{.start = "previous", .targets = "drawn"};
 const auto as_made = [](SolveRecord&) {};
 
-MetricSamples observed(const StudyResults& study, std::string_view metric = "position_error_cm") {
+MetricSamples samples_of(const StudyResults& study, std::string_view metric = "position_error_cm") {
   return make_samples(study, metric_named(metric));
 }
 
@@ -18,13 +18,13 @@ const Group& group(const MetricSamples& of, std::string_view name) {
   return *std::ranges::find(of.groups, name, &Group::name);
 }
 
-std::optional<Warning> doubt_in(const std::vector<Warning>& warnings, WarningKind kind) {
+std::optional<Warning> warning_in(const std::vector<Warning>& warnings, WarningKind kind) {
   const auto found = std::ranges::find(warnings, kind, &Warning::kind);
   return found == warnings.end() ? std::nullopt : std::optional(*found);
 }
 
-std::optional<Warning> doubt_of(const StudyResults& study, WarningKind kind) {
-  return doubt_in(study_warnings(study), kind);
+std::optional<Warning> warning_of(const StudyResults& study, WarningKind kind) {
+  return warning_in(study_warnings(study), kind);
 }
 
 // Error 10 * run + point.
@@ -43,7 +43,7 @@ TEST_CASE("A chained run is one observation: the mean, of times the median") {
     number_errors(solve);
     solve.seconds = solve.point == 4 ? 100 : solve.point;
   });
-  const MetricSamples errors = observed(of);
+  const MetricSamples errors = samples_of(of);
   CHECK_FALSE(errors.is_paired);
   CHECK(trials_per_value(make_samples(of, metric_named("solved"))) == 4);
   CHECK(list_of(group(errors, "A")) == Numbers{12.5, 22.5, 32.5, 42.5, 52.5});
@@ -52,29 +52,29 @@ TEST_CASE("A chained run is one observation: the mean, of times the median") {
 }
 
 TEST_CASE("Else a target is one: a drawn one's only solve, a fixed one's mean over the runs") {
-  const MetricSamples of_drawn = observed(study(drawn, number_errors));
+  const MetricSamples of_drawn = samples_of(study(drawn, number_errors));
   CHECK(of_drawn.is_paired);
   CHECK(trials_per_value(make_samples(study(drawn, number_errors), metric_named("solved"))) == 1);
   CHECK(list_of(group(of_drawn, "A")).size() == 20);
   CHECK(list_of(group(of_drawn, "A"))[4] == 21);
-  const MetricSamples of_fixed = observed(study(fixed_targets, number_errors));
+  const MetricSamples of_fixed = samples_of(study(fixed_targets, number_errors));
   CHECK(of_fixed.is_paired);
   CHECK(trials_per_value(make_samples(study(fixed_targets, number_errors), metric_named("solved"))) == 5);
   CHECK(list_of(group(of_fixed, "A")) == Numbers{31, 32, 33, 34});
   const Asked path_by_points{.start = "previous", .rest = R"(, "analysis": {"values": "points"})"};
-  const MetricSamples of_path = observed(study(path_by_points, number_errors));
+  const MetricSamples of_path = samples_of(study(path_by_points, number_errors));
   CHECK(of_path.is_paired);
   CHECK(list_of(group(of_path, "A")) == Numbers{31, 32, 33, 34});
 }
 
 TEST_CASE("Runs are paired where their targets were drawn") {
-  const MetricSamples runs = observed(study(drawn_runs, number_errors));
+  const MetricSamples runs = samples_of(study(drawn_runs, number_errors));
   CHECK(runs.is_paired);
   CHECK(list_of(group(runs, "A")) == Numbers{12.5, 22.5, 32.5, 42.5, 52.5});
 }
 
 TEST_CASE("One fixed target is no group of one: its runs are observations") {
-  const MetricSamples of = observed(study({.start = "middle", .points = 1}, number_errors));
+  const MetricSamples of = samples_of(study({.start = "middle", .points = 1}, number_errors));
   CHECK_FALSE(of.is_paired);
   CHECK(list_of(group(of, "A")) == Numbers{11, 21, 31, 41, 51});
 }
@@ -86,13 +86,13 @@ TEST_CASE("A chained run that lacks a point gives no observation, and a pair has
                   [](const SolveRecord& solve) { return solve.label == "A" && solve.run == 2 && solve.point == 3; });
     return to_stored(entry_of(asked, {"A", "B"}), solves);
   };
-  CHECK(list_of(group(observed(without(chained)), "A")) == Numbers{12.5, 32.5, 42.5, 52.5});
-  const MetricSamples runs = observed(without(drawn_runs));
+  CHECK(list_of(group(samples_of(without(chained)), "A")) == Numbers{12.5, 32.5, 42.5, 52.5});
+  const MetricSamples runs = samples_of(without(drawn_runs));
   CHECK(std::get<Sample>(group(runs, "A").sample).blocks == std::vector<int>{1, 3, 4, 5});
   CHECK(std::get<Sample>(group(runs, "B").sample).blocks == std::vector<int>{1, 2, 3, 4, 5});
   CHECK(missing_in(group(runs, "A")) == 0);
-  CHECK(list_of(group(observed(without(drawn)), "A")).size() == 19);
-  const auto warning = doubt_of(without(chained), WarningKind::runs_missing);
+  CHECK(list_of(group(samples_of(without(drawn)), "A")).size() == 19);
+  const auto warning = warning_of(without(chained), WarningKind::runs_missing);
   REQUIRE(warning);
   CHECK(warning->solvers == std::vector<std::string>{"A"});
   CHECK(warning->count == 1);
@@ -107,17 +107,17 @@ TEST_CASE("A solver whose runs repeat each other bit for bit has one observation
     solve.seconds = solve.cpu_seconds = 0.001 * solve.run;
   };
   const StudyResults of = study(chained, as_one);
-  const Group alone = group(observed(of), "A");
+  const Group alone = group(samples_of(of), "A");
   CHECK(list_of(alone) == Numbers{0.5});
   CHECK(is_deterministic(alone));
-  CHECK_FALSE(is_deterministic(group(observed(of), "B")));
-  CHECK(list_of(group(observed(of), "B")).size() == 5);
-  CHECK(list_of(group(observed(of, "seconds"), "A")).size() == 5);  // sessions
-  CHECK(list_of(group(observed(of, "evaluations"), "A")).size() == 5);
-  const auto warning = doubt_of(of, WarningKind::deterministic);
+  CHECK_FALSE(is_deterministic(group(samples_of(of), "B")));
+  CHECK(list_of(group(samples_of(of), "B")).size() == 5);
+  CHECK(list_of(group(samples_of(of, "seconds"), "A")).size() == 5);  // sessions
+  CHECK(list_of(group(samples_of(of, "evaluations"), "A")).size() == 5);
+  const auto warning = warning_of(of, WarningKind::deterministic);
   REQUIRE(warning);
   CHECK(warning->solvers == std::vector<std::string>{"A"});
-  CHECK_FALSE(doubt_of(study(fixed_targets, as_one), WarningKind::deterministic));
+  CHECK_FALSE(warning_of(study(fixed_targets, as_one), WarningKind::deterministic));
 }
 
 TEST_CASE("Numbers that are not finite are lost; a solve without an answer has its error and no cost") {
@@ -127,15 +127,15 @@ TEST_CASE("Numbers that are not finite are lost; a solve without an answer has i
     if (solve.point == 1) solve.position_error_cm = ikbench::not_a_number;
   };
   const StudyResults of = study(drawn, fails);
-  CHECK(missing_in(group(observed(of), "A")) == 1);
-  CHECK(list_of(group(observed(of), "A")).size() == 19);
-  CHECK(missing_in(group(observed(of, "variation_deg"), "A")) == 2);
-  CHECK(missing_in(group(observed(study(chained, fails)), "A")) == 1);
-  CHECK(missing_in(group(observed(of), "B")) == 0);
+  CHECK(missing_in(group(samples_of(of), "A")) == 1);
+  CHECK(list_of(group(samples_of(of), "A")).size() == 19);
+  CHECK(missing_in(group(samples_of(of, "variation_deg"), "A")) == 2);
+  CHECK(missing_in(group(samples_of(study(chained, fails)), "A")) == 1);
+  CHECK(missing_in(group(samples_of(of), "B")) == 0);
   const auto never = study(drawn, [](SolveRecord& solve) { solve.status = Status::crashed; });
-  CHECK(missing_in(group(observed(never), "B")) ==
+  CHECK(missing_in(group(samples_of(never), "B")) ==
         20);  // where the arm stayed is no error of a solver that never moved it
-  const auto warning = doubt_of(of, WarningKind::no_answer);
+  const auto warning = warning_of(of, WarningKind::no_answer);
   REQUIRE(warning);
   CHECK(warning->count == 3);
   CHECK(warning->total == 20);
@@ -144,8 +144,8 @@ TEST_CASE("Numbers that are not finite are lost; a solve without an answer has i
     solve.status = Status::refused;
     solve.variation_deg = 0;
   });
-  CHECK(list_of(group(observed(refused, "variation_deg"), "A")) == Numbers(20, 0.0));
-  CHECK_FALSE(doubt_of(refused, WarningKind::no_answer));
+  CHECK(list_of(group(samples_of(refused, "variation_deg"), "A")) == Numbers(20, 0.0));
+  CHECK_FALSE(warning_of(refused, WarningKind::no_answer));
 }
 
 TEST_CASE("Errors at or below the tolerance count as it, before they are averaged") {
@@ -153,24 +153,24 @@ TEST_CASE("Errors at or below the tolerance count as it, before they are average
   const auto small = [](SolveRecord& solve) {
     solve.position_error_cm = solve.label == "A" && solve.point < 4 ? 0.1 * solve.run : 5;
   };
-  const MetricSamples of = observed(study(asked, small));
+  const MetricSamples of = samples_of(study(asked, small));
   CHECK(list_of(group(of, "A")) == Numbers(5, 2.0));
   CHECK(group(of, "A").tolerance == 1);
   CHECK(group(of, "B").tolerance == 0);
   CHECK(std::isnan(describe(group(of, "A")).sd));
-  CHECK(group(observed(study(chained, small)), "A").tolerance == 0);
+  CHECK(group(samples_of(study(chained, small)), "A").tolerance == 0);
 }
 
 TEST_CASE("Solved is a share where there is a tolerance, and else has no value") {
   const auto misses = [](SolveRecord& solve) {
     if (solve.point == 1) solve.status = Status::tolerance_missed;
   };
-  const MetricSamples of = observed(study({.start = "previous", .tolerance_cm = 1}, misses), "solved");
+  const MetricSamples of = samples_of(study({.start = "previous", .tolerance_cm = 1}, misses), "solved");
   CHECK(of.better == Better::larger);
   CHECK(effect_scale(of) == EffectScale::share);
   CHECK(trials_per_value(of) == 4);
   CHECK(list_of(group(of, "A")) == Numbers(5, 0.75));
-  CHECK(list_of(group(observed(study(chained, misses), "solved"), "A")).empty());
+  CHECK(list_of(group(samples_of(study(chained, misses), "solved"), "A")).empty());
 }
 
 TEST_CASE("Where targets have a tolerance, costs are of those that were solved, and blocks say which") {
@@ -180,7 +180,7 @@ TEST_CASE("Where targets have a tolerance, costs are of those that were solved, 
   };
   const auto moves = [&](Asked asked) {
     asked.tolerance_cm = 1;
-    return observed(study(asked, misses), "variation_deg");
+    return samples_of(study(asked, misses), "variation_deg");
   };
   const MetricSamples of = moves(drawn);
   CHECK(list_of(group(of, "A")).size() == 19);
@@ -191,7 +191,8 @@ TEST_CASE("Where targets have a tolerance, costs are of those that were solved, 
   const auto misses_all = [](SolveRecord& solve) {
     solve.status = solve.label == "A" ? Status::tolerance_missed : Status::ok;
   };
-  const MetricSamples of_path = observed(study({.start = "previous", .tolerance_cm = 1}, misses_all), "variation_deg");
+  const MetricSamples of_path =
+      samples_of(study({.start = "previous", .tolerance_cm = 1}, misses_all), "variation_deg");
   CHECK(std::get<ExcludedSample>(group(of_path, "A").sample).reason == ExclusionReason::nothing_solved);
   CHECK(list_of(group(of_path, "B")).size() == 5);
 }
@@ -212,7 +213,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   CHECK(list_of(group(times(without_times(study(chained, as_made))), "A")).front() == Approx(std::log(1e-9)));
   const auto one_slow = [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = solve.run == 1 ? 9 : 1; };
   CHECK(compared(times(study(chained, one_slow)), {}).front().why ==
-        SeenReason::tested);  // though other logarithms are 0
+        ResultKind::tested);  // though other logarithms are 0
   for (const Timing timing : {Timing::parallel, Timing::debug_build, Timing::elsewhere}) {
     const MetricSamples all = times(study(chained, [&](SolveRecord& solve) {
       if (solve.label == "A") solve.timing = timing;
@@ -242,18 +243,18 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   CHECK(apart(times(other_busy)).size() == 1);
   CHECK_THAT(words_of_apart(other_busy), ContainsSubstring("busy"));
   StudyResults disturbed = slowed(5, 2, 2);
-  CHECK(apart(observed(disturbed)).empty());
+  CHECK(apart(samples_of(disturbed)).empty());
   disturbed.definition.stop.seconds = 0.002;  // it ended B's
-  CHECK(apart(observed(disturbed)) == "B");
+  CHECK(apart(samples_of(disturbed)) == "B");
   const auto other_sessions = [](SolveRecord& solve) { solve.session += solve.label == "B" ? 10 : 0; };
   std::vector<Session> ten = sample_sessions(5);
   for (Session session : sample_sessions(5)) session.id += 10, ten.push_back(session);
   StudyResults later = study(chained, other_sessions, {"A", "B", "CC"}, ten);
   CHECK(apart(times(later)) == "B");
   CHECK_THAT(words_of_apart(later), ContainsSubstring("too few sessions shared"));
-  CHECK(apart(observed(later)).empty());
+  CHECK(apart(samples_of(later)).empty());
   later.definition.stop.seconds = 0.001;  // it ended all
-  CHECK(apart(observed(later)) == "ABCC");
+  CHECK(apart(samples_of(later)) == "ABCC");
   StudyResults cut = study(chained, as_made);
   std::erase_if(cut.solves,
                 [](const SolveSummary& solve) { return solve.label == 1 && solve.run == 5 && solve.point == 4; });
@@ -358,7 +359,7 @@ TEST_CASE("Solved in time is a share of all solves, also of busy sessions") {
   CHECK(in_time->descriptives[0].n == 120);
   CHECK(in_time->descriptives[0].mean == Approx(19 / 20.0));
   CHECK(in_time->descriptives[1].mean == Approx((10.5) / 20));
-  const Seen found = seen(in_time->comparisons.front());
+  const FlatComparison found = flat(in_time->comparisons.front());
   CHECK(found.verdict == Verdict::better);
   CHECK(found.n == 6);
   CHECK(found.test == "paired t");
@@ -446,12 +447,12 @@ TEST_CASE("Orientation counts where a pose is searched, bends are of a run") {
     solve.orientation_error = 0.1;
     solve.answer_rad = {solve.point == 3 ? ikbench::base::degree : 0.0, 1.0 * solve.run};
   };
-  CHECK(list_of(group(observed(study(pose, turned), "orientation_error_deg"), "A")).front() ==
+  CHECK(list_of(group(samples_of(study(pose, turned), "orientation_error_deg"), "A")).front() ==
         Approx(7.02166).epsilon(1e-6));
-  CHECK(list_of(group(observed(study(chained, turned), "orientation_error_deg"), "A")).empty());
-  CHECK(list_of(group(observed(study(chained, turned), "second_difference_deg"), "A")).size() == 5);
-  CHECK(list_of(group(observed(study(chained, turned), "second_difference_deg"), "A")).back() == Approx(0.75));
-  CHECK_FALSE(observed(study(fixed_targets, turned), "second_difference_deg").is_paired);
+  CHECK(list_of(group(samples_of(study(chained, turned), "orientation_error_deg"), "A")).empty());
+  CHECK(list_of(group(samples_of(study(chained, turned), "second_difference_deg"), "A")).size() == 5);
+  CHECK(list_of(group(samples_of(study(chained, turned), "second_difference_deg"), "A")).back() == Approx(0.75));
+  CHECK_FALSE(samples_of(study(fixed_targets, turned), "second_difference_deg").is_paired);
   CHECK_THROWS_WITH(metric_named("bend_deg"), "bend_deg is now called second_difference_deg");
 }
 
@@ -461,21 +462,21 @@ TEST_CASE("Answers that claim too much or lie outside limits are counted") {
     if (solve.run == 2 && solve.label == "A") solve.limit_violation_deg = 3;
     if (solve.run == 3 && solve.point == 1 && solve.label == "A") solve.limit_violation_m = 3;
   });
-  CHECK(doubt_of(of, WarningKind::misreported)->count == 2);
-  CHECK(doubt_of(of, WarningKind::misreported)->total == 40);
-  CHECK(doubt_of(of, WarningKind::limit_violations)->count == 5);
-  CHECK(doubt_of(of, WarningKind::limit_violations)->solvers == std::vector<std::string>{"A"});
+  CHECK(warning_of(of, WarningKind::misreported)->count == 2);
+  CHECK(warning_of(of, WarningKind::misreported)->total == 40);
+  CHECK(warning_of(of, WarningKind::limit_violations)->count == 5);
+  CHECK(warning_of(of, WarningKind::limit_violations)->solvers == std::vector<std::string>{"A"});
 }
 
 TEST_CASE("Budgets differ where equal iterations are half as many evaluations again") {
   const auto evaluated = [](double factor, const std::string& stop, StopReason reason = StopReason::iterations) {
     const Asked asked{.rest = R"(, "stop": )" + stop};
-    return doubt_of(study(asked,
-                          [&](SolveRecord& solve) {
-                            solve.stop_reason = reason;
-                            if (solve.label == "B") solve.evaluations = static_cast<std::int64_t>(100 * factor);
-                          }),
-                    WarningKind::budgets_differ);
+    return warning_of(study(asked,
+                            [&](SolveRecord& solve) {
+                              solve.stop_reason = reason;
+                              if (solve.label == "B") solve.evaluations = static_cast<std::int64_t>(100 * factor);
+                            }),
+                      WarningKind::budgets_differ);
   };
   const auto warning = evaluated(3, R"({"iterations": 9})");
   REQUIRE(warning);
@@ -499,12 +500,12 @@ TEST_CASE("A number of the study's check has no name of a metric, in whatever le
 TEST_CASE("Targets out of reach and a plan that was changed after the data are told") {
   const Asked asked{
       .rest = R"(, "unreachable_targets": {"points": 2}, "analysis": {"test": "ranks", "margin_percent": 10})"};
-  CHECK(doubt_of(study(asked, as_made), WarningKind::unreachable_targets)->count == 2);
-  CHECK(doubt_of(study(asked, as_made), WarningKind::unreachable_targets)->total == 4);
+  CHECK(warning_of(study(asked, as_made), WarningKind::unreachable_targets)->count == 2);
+  CHECK(warning_of(study(asked, as_made), WarningKind::unreachable_targets)->total == 4);
   const auto recorded = [&](const std::string& plan) {
     std::vector<Session> sessions = sample_sessions(asked.runs);
     for (Session& session : sessions) session.environment["analysis"] = plan;
-    return doubt_of(study(asked, as_made, {"A", "B"}, sessions), WarningKind::plan_changed);
+    return warning_of(study(asked, as_made, {"A", "B"}, sessions), WarningKind::plan_changed);
   };
   CHECK_FALSE(recorded(R"({"test": "ranks", "margin_percent": 10})"));
   REQUIRE(recorded(R"({"test": "means", "margin_percent": 5})"));
@@ -514,7 +515,7 @@ TEST_CASE("Targets out of reach and a plan that was changed after the data are t
   StudyResults of = study(asked, as_made);
   of.stale_solves.solvers = {"B"};
   of.stale_solves.count = 7;
-  CHECK(doubt_of(of, WarningKind::stale_solves)->count == 7);
+  CHECK(warning_of(of, WarningKind::stale_solves)->count == 7);
 }
 
 TEST_CASE("A usual study has no doubts, and every kind has a line of at most 25 words") {
@@ -551,12 +552,12 @@ TEST_CASE("one solve that takes most of the time decides no cost per solved targ
     return *find_metric(judge::judge(of), "evaluations_per_success");
   };
   const JudgedMetric slow = judged_with(100'000);
-  CHECK(seen(slow.comparisons.front()).why == SeenReason::few_decide);
+  CHECK(flat(slow.comparisons.front()).why == ResultKind::few_decide);
   CHECK(slow.samples.warnings.front().solvers == std::vector<std::string>{"B"});
-  const Seen even = seen(judged_with(100).comparisons.front());
+  const FlatComparison even = flat(judged_with(100).comparisons.front());
   CHECK((even.verdict == Verdict::better && even.estimate && !even.interval));  // of 16 solved ones
-  CHECK(seen(judged_with(61, 16, 50).comparisons.front()).verdict == Verdict::inconclusive);
-  CHECK(seen(judged_with(100, 3).comparisons.front()).why == SeenReason::few_decide);
+  CHECK(flat(judged_with(61, 16, 50).comparisons.front()).verdict == Verdict::inconclusive);
+  CHECK(flat(judged_with(100, 3).comparisons.front()).why == ResultKind::few_decide);
 }
 
 TEST_CASE("what attempts spent is by what they solved, and the spread of its parts is its error") {
@@ -577,7 +578,7 @@ TEST_CASE("what attempts spent is by what they solved, and the spread of its par
   CHECK(find_metric(all, "evaluations") == nullptr);
   CHECK(spent.descriptives[0].mean == Approx((80 * 10 + 20 * 1000) / 80.0));
   CHECK(spent.descriptives[1].mean == Approx(50));
-  const Seen found = seen(spent.comparisons.front());
+  const FlatComparison found = flat(spent.comparisons.front());
   CHECK(*found.estimate == Approx(260 / 50.0));
   CHECK(found.verdict == Verdict::worse);
   // The delta method by hand: the variance of each target's part of log(spent) - log(solved), by n.

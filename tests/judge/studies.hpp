@@ -35,18 +35,18 @@ inline SampleKind kind_with(EffectScale scale, double floor = 0) {
 }
 
 // A finding with all that some kinds of findings have.
-enum class SeenReason { tested, lost, apart, fact, too_few, few_decide };
-struct Seen : Comparison {
+enum class ResultKind { tested, missing, apart, deterministic, too_few, few_decide };
+struct FlatComparison : Comparison {
   std::optional<double> estimate = {}, p = {}, effect = {};
   std::optional<Interval> interval = {};
   std::string_view test = {};
   Verdict verdict = Verdict::not_tested;
-  SeenReason why = SeenReason::tested;
+  ResultKind why = ResultKind::tested;
   bool is_within_margin = false, are_all_equal = false;
   int n = 0, needed = 0;
 };
-inline Seen seen(const Comparison& comparison) {
-  Seen all{comparison};
+inline FlatComparison flat(const Comparison& comparison) {
+  FlatComparison all{comparison};
   all.verdict = verdict_of(comparison);
   all.are_all_equal = all_values_equal(comparison);
   if (const auto& amount = comparison.estimate) all.estimate = amount->value, all.interval = amount->interval;
@@ -56,22 +56,23 @@ inline Seen seen(const Comparison& comparison) {
     if (tested->dominance) all.effect = tested->dominance->a12();
   } else if (const auto* const open = std::get_if<NotTested>(&comparison.result)) {
     all.n = open->n, all.needed = open->required_n;
-    all.why = open->reason == NotTestedReason::sample_too_small ? SeenReason::too_few
-              : open->reason == NotTestedReason::missing_values ? SeenReason::lost
-              : open->reason == NotTestedReason::dominated      ? SeenReason::few_decide
-                                                                : SeenReason::apart;
+    all.why = open->reason == NotTestedReason::sample_too_small ? ResultKind::too_few
+              : open->reason == NotTestedReason::missing_values ? ResultKind::missing
+              : open->reason == NotTestedReason::dominated      ? ResultKind::few_decide
+                                                                : ResultKind::apart;
   } else {
-    all.why = SeenReason::fact;
+    all.why = ResultKind::deterministic;
   }
   return all;
 }
-inline std::vector<Seen> compared(const MetricSamples& samples, const AnalysisPlan& plan, std::size_t metrics = 1) {
-  std::vector<Seen> all;
-  for (const Comparison& comparison : compare_pairs(samples, plan, metrics)) all.push_back(seen(comparison));
+inline std::vector<FlatComparison> compared(const MetricSamples& samples, const AnalysisPlan& plan,
+                                            std::size_t metrics = 1) {
+  std::vector<FlatComparison> all;
+  for (const Comparison& comparison : compare_pairs(samples, plan, metrics)) all.push_back(flat(comparison));
   return all;
 }
-inline Seen better_first(const Seen& all, std::string_view control) {
-  return seen(judge::better_first(static_cast<const Comparison&>(all), control));
+inline FlatComparison better_first(const FlatComparison& all, std::string_view control) {
+  return flat(judge::better_first(static_cast<const Comparison&>(all), control));
 }
 inline Sample& sample_of(Group& group) { return std::get<Sample>(group.sample); }
 inline std::vector<double>& values_in(Group& group) { return std::get<Sample>(group.sample).values; }

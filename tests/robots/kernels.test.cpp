@@ -165,9 +165,9 @@ TEST_CASE("a target that is none, or a link beyond all squares, gives no finite 
     for (const double bad : {not_a_number, infinity, -infinity, 1e300}) {
       CAPTURE(name_of(set), bad);
       const Eigen::Vector3d at(0.1, 0.2, 0.3);
-      const auto check = [&](const Arm& its, const Eigen::Vector3d& target) {
+      const auto check = [&](const Arm& arm_here, const Eigen::Vector3d& target) {
         std::vector<double> errors(11);
-        robots::kernels(set).position_errors(its.chain(), {target.data()}, {q.data(), 11, 11}, errors.data());
+        robots::kernels(set).position_errors(arm_here.chain(), {target.data()}, {q.data(), 11, 11}, errors.data());
         for (const double error : errors) CHECK_FALSE(std::isfinite(error));
       };
       for (Eigen::Index axis = 0; axis < 3; ++axis) {

@@ -144,9 +144,9 @@ TEST_CASE("a pair is told from the better one, and from the control's other", "[
   CHECK(amount.value < amount.interval->high);
   CHECK(std::get<judge::TestResult>(comparison.result).dominance->a12() > 0.9);
 
-  const ReportModel gate =
+  const ReportModel regression =
       of(errors({{"old", values_around(1, 0.5)}, {"new", values_around(3, 0.5)}}), {.control = "old"});
-  CHECK(gate.metrics[0].comparisons[0].first == "new");
-  CHECK(verdict_of(gate.metrics[0].comparisons[0]) == judge::Verdict::worse);
-  CHECK(gate.metrics[0].comparisons[0].estimate->value == Approx(3).epsilon(1e-9));
+  CHECK(regression.metrics[0].comparisons[0].first == "new");
+  CHECK(verdict_of(regression.metrics[0].comparisons[0]) == judge::Verdict::worse);
+  CHECK(regression.metrics[0].comparisons[0].estimate->value == Approx(3).epsilon(1e-9));
 }

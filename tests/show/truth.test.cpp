@@ -25,8 +25,8 @@ Comparison without_amount(Comparison of) {  // its estimate would refute it
 
 Comparison all_equal() {
   Comparison of = tested(Verdict::inconclusive);
-  auto& its = std::get<TestResult>(of.result);
-  its.adjusted_p = 1, its.dominance = Dominance{0, 0};
+  auto& result = std::get<TestResult>(of.result);
+  result.adjusted_p = 1, result.dominance = Dominance{0, 0};
   return of;
 }
 
@@ -96,18 +96,20 @@ std::string too_much(const ReportModel& model) {
     }
     return true;
   };
-  const auto are = [](Verdict expected) { return [=](Verdict its, const Comparison*) { return its == expected; }; };
-  const auto are_alike = [](Verdict its, const Comparison* comparison) {
-    return its == Verdict::equivalent || (comparison && all_values_equal(*comparison));
+  const auto are = [](Verdict expected) {
+    return [=](Verdict verdict, const Comparison*) { return verdict == expected; };
+  };
+  const auto are_alike = [](Verdict verdict, const Comparison* comparison) {
+    return verdict == Verdict::equivalent || (comparison && all_values_equal(*comparison));
   };
   const auto are_little = [](Verdict, const Comparison* comparison) {
     return std::get<TestResult>(comparison->result).is_below_margin;
   };
-  std::multiset<std::string> told;
+  std::multiset<std::string> named;
   for (const auto& [what, who, against, is_little] : model.questions.front().statements) {
     const Names& others = against.empty() ? who : against;
-    told.insert(who.begin(), who.end());
-    if (what == What::best) told.insert(against.begin(), against.end());
+    named.insert(who.begin(), who.end());
+    if (what == What::best) named.insert(against.begin(), against.end());
     const bool is_so = what == What::no_comparison ? judged.comparisons.empty()
                        : what == What::best ? each(who, against, are(Verdict::better)) && each(who, who, are_alike)
                        : what == What::equivalent   ? each(who, others, are(Verdict::equivalent))
@@ -121,8 +123,9 @@ std::string too_much(const ReportModel& model) {
     if (!is_so || (is_little && !each(who, against, are_little)))
       return fmt::format("{}: {} against {}", static_cast<int>(what), fmt::join(who, " "), fmt::join(against, " "));
   }
-  if (!judged.plan.control.empty() && all.size() > 2 && told.size() + 1 == all.size()) told.insert(judged.plan.control);
-  return told == std::multiset<std::string>(all.begin(), all.end()) ? "" : "who is told";
+  if (!judged.plan.control.empty() && all.size() > 2 && named.size() + 1 == all.size())
+    named.insert(judged.plan.control);
+  return named == std::multiset<std::string>(all.begin(), all.end()) ? "" : "who is told";
 }
 
 // What a paragraph of results lacks: the pairs, or their counts.
@@ -131,11 +134,12 @@ std::string wrong_in_results(const ReportModel& model) {
   const std::vector<std::string> sentences = results_sentences(model);
   if (sentences.front() != headline(model)) return "no headline";
   std::map<std::string, int> counts;
-  for (const Comparison& its : judged.comparisons)
+  for (const Comparison& comparison : judged.comparisons)
     ++counts[judged.comparisons.size() <= max_pairs
-                 ? fmt::format("{} against {}: {}", its.first, its.second, comparison_text(its, judged))
-             : is_difference(verdict_of(its)) ? "decided"
-                                              : std::string(judge::name_of(verdict_of(its)))];
+                 ? fmt::format("{} against {}: {}", comparison.first, comparison.second,
+                               comparison_text(comparison, judged))
+             : is_difference(verdict_of(comparison)) ? "decided"
+                                                     : std::string(judge::name_of(verdict_of(comparison)))];
   for (const auto& [what, count] : counts)
     if (!contains(sentences[1], judged.comparisons.size() <= max_pairs ? what : fmt::format("{} {}", count, what)))
       return what;
@@ -171,13 +175,13 @@ int checked = 0;
 
 void check(const std::vector<double>& numbers, const std::vector<Comparison>& kinds, const std::string& control = "") {
   const ReportModel model = answer_with(numbers, kinds, control);
-  const std::string said = too_much(model), shown = wrong_in_tables(model), told = wrong_in_results(model);
+  const std::string untrue = too_much(model), wrong_tables = wrong_in_tables(model), wrong = wrong_in_results(model);
   ++checked;
-  if (said.empty() && shown.empty() && told.empty()) return;
+  if (untrue.empty() && wrong_tables.empty() && wrong.empty()) return;
   std::string pairs;
   for (const Comparison& comparison : model.primary().comparisons)
     pairs += fmt::format("{}{} {}; ", comparison.first, comparison.second, name_of(verdict_of(comparison)));
-  CAPTURE(said, shown, told, results_sentences(model), headline(model), pairs, to_text(results_table(model)));
+  CAPTURE(untrue, wrong_tables, wrong, results_sentences(model), headline(model), pairs, to_text(results_table(model)));
   FAIL();
 }
 
