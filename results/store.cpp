@@ -327,12 +327,12 @@ struct Store::Database {
   // Returns true if the log has this page, counted from 1, because SQLite then reads the page from the log. The log is
   // 32 bytes, then frames of 24 bytes and a page; valid frames repeat the salt of the first 32 bytes
   // (sqlite.org/walformat.html).
-  bool log_has(std::uintmax_t which, std::size_t page) const {
+  bool log_has(std::uintmax_t page, std::size_t page_size) const {
     const std::string log = base::read_file(name + "-wal").value_or("");
-    for (std::size_t frame = 32; frame + 24 + page <= log.size(); frame += 24 + page) {
-      std::uintmax_t its = 0;
-      for (std::size_t i = 0; i < 4; ++i) its = 256 * its + static_cast<unsigned char>(log[frame + i]);
-      if (its == which && log.compare(frame + 8, 8, log, 16, 8) == 0) return true;
+    for (std::size_t frame = 32; frame + 24 + page_size <= log.size(); frame += 24 + page_size) {
+      std::uintmax_t logged_page = 0;
+      for (std::size_t i = 0; i < 4; ++i) logged_page = 256 * logged_page + static_cast<unsigned char>(log[frame + i]);
+      if (logged_page == page && log.compare(frame + 8, 8, log, 16, 8) == 0) return true;
     }
     return false;
   }

@@ -188,7 +188,7 @@ std::string text_of_arm_file(const std::filesystem::path& file) {
 std::optional<Robot> stored_arm(std::string_view json) {
   try {
     Json arm = parsed_json(json);
-    for (const char* told : {"notes", "base_link", "tip_link"}) arm.erase(told);
+    for (const char* key : {"notes", "base_link", "tip_link"}) arm.erase(key);
     if (arm.at("links").size() > max_joints) return std::nullopt;
     for (Json& link : arm.at("links")) link.erase("name");
     const toml::table table = toml_of(arm);

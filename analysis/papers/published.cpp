@@ -85,8 +85,8 @@ std::optional<Ranges> predicted_ranges(const std::vector<double>& values, int ru
       known.insert(known.begin() + static_cast<std::ptrdiff_t>(gap), value);
       study.push_back(std::exp(value));
     }
-    const judge::Descriptives its = judge::describe_values(study);
-    for (std::size_t s = 0; s < statistics.size(); ++s) replicates[s].push_back(its.*statistics[s].of);
+    const judge::Descriptives descriptives = judge::describe_values(study);
+    for (std::size_t s = 0; s < statistics.size(); ++s) replicates[s].push_back(descriptives.*statistics[s].of);
   }
   Ranges ranges;
   for (std::size_t s = 0; s < statistics.size(); ++s) {

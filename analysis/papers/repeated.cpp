@@ -143,14 +143,14 @@ std::vector<RateColumn> columns_of_means(const Repeated& repeated) {
     for (std::size_t row = 0; row < table.rows(); ++row) {
       const std::size_t place = index_of(samples, table.cell(row, 0));
       if (place == samples.groups.size()) continue;
-      const Descriptives its = describe(samples.groups[place]);
-      if (its.n == 0) continue;
+      const Descriptives descriptives = describe(samples.groups[place]);
+      if (descriptives.n == 0) continue;
       const std::string_view digits = table.cell(row, table.column(column.column));
-      const double n = table.number(row, "n"), ours = its.mean;
-      if (column.metric->kind == MetricKind::success_rate) {  // of so many the number that is not solved
+      const double n = table.number(row, "n"), ours = descriptives.mean;
+      if (column.metric->kind == MetricKind::success_rate) {  // printed is the number of targets that are not solved
         of.rates.push_back(make_rate({.row = samples.groups[place].name,
                                       .share = 1 - ours,
-                                      .n = static_cast<double>(its.n),
+                                      .n = static_cast<double>(descriptives.n),
                                       .digits = digits,
                                       .n_printed = n,
                                       .unit = n},
@@ -160,15 +160,15 @@ std::vector<RateColumn> columns_of_means(const Repeated& repeated) {
       constexpr double margin = 0.1;  // as a share, since a few hard targets decide a mean
       constexpr int least = 20;       // with fewer values the spread is not known
       const double printed = base::number_from(digits).value(),
-                   sd = its.n < least ? std::numeric_limits<double>::infinity() : its.sd,
-                   half = critical_z(1 - repeated.paper.rates.level) * sd * std::sqrt(1. / its.n + 1 / n);
+                   sd = descriptives.n < least ? std::numeric_limits<double>::infinity() : descriptives.sd,
+                   half = critical_z(1 - repeated.paper.rates.level) * sd * std::sqrt(1. / descriptives.n + 1 / n);
       of.rates.push_back({.row = samples.groups[place].name,
                           .digits = std::string(digits),
                           .printed = printed,
                           .ours = ours,
                           .interval = {ours - half, ours + half},
                           .margin = margin * printed,
-                          .n = static_cast<double>(its.n)});
+                          .n = static_cast<double>(descriptives.n)});
     }
   }
   return columns;
@@ -207,8 +207,10 @@ std::vector<RateColumn> rates_of(const Repeated& repeated, std::string name) {
               static_cast<double>(solves.size()));
       }
       for (std::size_t i = 0; programs != nullptr && i < programs->rows(); ++i) {
-        const auto its = [&](std::string_view of_it) { return programs->cell(i, programs->column(of_it)); };
-        if (its("solver") != solver || !is_of_row(its("robot"))) continue;
+        const auto cell_in = [&](std::string_view column_name) {
+          return programs->cell(i, programs->column(column_name));
+        };
+        if (cell_in("solver") != solver || !is_of_row(cell_in("robot"))) continue;
         Rate& rate = add(programs->number(i, "solved"), programs->number(i, "n"));
         rate.mean_ms = programs->number(i, "mean_ms");
         rate.printed_ms = table.cell(row, table.column(title.substr(0, title.rfind('_')) + "_ms"));

@@ -58,7 +58,8 @@ std::optional<JudgedMetric> about(const Claim& claim, JudgedMetric judged) {
   }
   const auto is_there = [&](const std::string& name) { return std::ranges::count(groups, name, &Group::name) > 0; };
   const bool has_own = std::ranges::all_of(claim.solvers, is_there) && groups.size() > claim.solvers.size();
-  const bool has_all = std::ranges::all_of(judged.descriptives, [](const Descriptives& its) { return its.n > 0; });
+  const bool has_all =
+      std::ranges::all_of(judged.descriptives, [](const Descriptives& descriptives) { return descriptives.n > 0; });
   return has_own && has_all ? std::optional(std::move(judged)) : std::nullopt;
 }
 

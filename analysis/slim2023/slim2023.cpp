@@ -85,10 +85,11 @@ struct Numbered {
 
 // Returns a metric by runs, as in the paper, in which times are by runs, too; empty if the study has no such metric.
 std::optional<JudgedMetric> by_runs(const JudgedStudy& judged, std::string_view column) {
-  const JudgedMetric* const its = find_metric(judged, column);
-  if (its == nullptr) return {};
+  const JudgedMetric* const found = find_metric(judged, column);
+  if (found == nullptr) return {};
   const Metric& metric = metric_named(column);
-  return is_time_metric(metric) ? judge::judge(judge::make_samples_by_target(judged.study, metric), its->plan) : *its;
+  return is_time_metric(metric) ? judge::judge(judge::make_samples_by_target(judged.study, metric), found->plan)
+                                : *found;
 }
 
 PrintedRows in_print(std::string_view column) {
@@ -132,8 +133,8 @@ std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
         box_rows(values->samples, drawn_unit(study, values->samples.unit), drawn_solvers(study, look), look);
     const PrintedRows printed = in_print(metric.column);
     for (BoxRow& row : boxed)
-      if (const auto* const its = row_of(printed, row.label))
-        row.printed = {its->numbers.smallest, its->numbers.median, its->numbers.largest};
+      if (const auto* const printed_row = row_of(printed, row.label))
+        row.printed = {printed_row->numbers.smallest, printed_row->numbers.median, printed_row->numbers.largest};
     of_runs.add(metric.boxes, boxes(about, boxed));
   }
   figures.add(9, joints({.caption = "Joint angles along the path, first run of each solver. Dashed: limits."},
@@ -270,9 +271,9 @@ std::optional<Table> table_7(const StudyResults& study) {
       in_time += is_near && ms.back() < limit_ms;
     }
     auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(ms), reached, in_time});
-    const PrintedRow* const its = row_of(printed, solver);
+    const PrintedRow* const printed_row = row_of(printed, solver);
     for (std::size_t s = 0; s < statistics.size(); ++s)
-      row.push_back(beside(describe_values(ms).*statistics[s].of, its ? its->digits[s] : ""));
+      row.push_back(beside(describe_values(ms).*statistics[s].of, printed_row ? printed_row->digits[s] : ""));
     row.emplace_back(describe_values(iterations).median);
   }
   return table;

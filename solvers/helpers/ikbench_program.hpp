@@ -221,9 +221,9 @@ struct Problem {
     say(R"({"message":"evaluate","candidates":[)" + lists + "]}");
     std::string line;
     if (!std::getline(std::cin, line)) std::exit(0);
-    const Json told = Json::of(line);
-    if (told["over"].number == 1) return std::nullopt;
-    return told["errors"].numbers();
+    const Json reply = Json::of(line);
+    if (reply["over"].number == 1) return std::nullopt;
+    return reply["errors"].numbers();
   }
 };
 
@@ -252,13 +252,13 @@ void run(const std::string& name, const std::string& options, Prepare prepare, S
   double setup = 0;
   std::vector<bool> turns;
   for (std::string line; std::getline(std::cin, line);) {
-    const Json told = Json::of(line);
-    const bool is_robot = told["message"].text == "robot";
+    const Json request = Json::of(line);
+    const bool is_robot = request["message"].text == "robot";
     try {
       if (is_robot) {
         prepared.reset();
-        Robot robot{told, told["urdf"].text, told["base_link"].text, told["tip_link"].text, {}, {}};
-        for (const Json& joint : told["joints"].list) {
+        Robot robot{request, request["urdf"].text, request["base_link"].text, request["tip_link"].text, {}, {}};
+        for (const Json& joint : request["joints"].list) {
           robot.names.push_back(joint["name"].text);
           robot.turns.push_back(joint["type"].text == "revolute");
         }
@@ -269,22 +269,22 @@ void run(const std::string& name, const std::string& options, Prepare prepare, S
         continue;
       }
       if (!prepared) throw Declined{why};
-      const Json &target = told["target"], &tolerance = told["tolerance"];
-      Problem problem{told,
+      const Json &target = request["target"], &tolerance = request["tolerance"];
+      Problem problem{request,
                       target["position"].numbers(),
                       target["rotation"].numbers(),
-                      told["start"].numbers(),
-                      told["lower"].numbers(),
-                      told["upper"].numbers(),
+                      request["start"].numbers(),
+                      request["lower"].numbers(),
+                      request["upper"].numbers(),
                       tolerance["position"].number,
                       tolerance["rotation"].number,
-                      told["budget"]["seconds"].number,
-                      std::mt19937(static_cast<unsigned>(told["seed"].number))};
+                      request["budget"]["seconds"].number,
+                      std::mt19937(static_cast<unsigned>(request["seed"].number))};
       Values q = solve(*prepared, problem);
       const double seconds = problem.timer.seconds();
       q = inside(q, turns, problem.lower, problem.upper);
       if (!problem.has_asked) problem.extra("setup_s", setup);
-      say(R"({"message":"solved","seed":)" + json_of(told["seed"].number) +
+      say(R"({"message":"solved","seed":)" + json_of(request["seed"].number) +
           (problem.has_asked ? "" : ",\"seconds\":" + json_of(seconds)) +
           (problem.extras.empty() ? "" : ",\"extras\":{" + problem.extras + '}') +
           (q.empty() && problem.has_asked ? "" : ",\"q\":" + json_of(q.empty() ? problem.start : q)) + '}');
