@@ -101,7 +101,7 @@ class Fields {
   virtual void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t> range) = 0;
   virtual void on_number(Name name, double& field, double unit, std::pair<double, double> range) = 0;
   virtual void on_numbers(Name name, std::vector<double>& field, double unit, int size) = 0;
-  virtual void on_poses(Name, std::any) {}  // holds std::vector<Pose>*
+  virtual void on_poses(Name, const std::any&) {}  // holds std::vector<Pose>*
 };
 
 }  // namespace ikbench::base

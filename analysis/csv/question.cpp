@@ -74,7 +74,7 @@ class Asking {
     }
     if (wide.empty()) wide = numbers();
     if (!request_.are_summaries && !known_.label && labels.empty() && has_same_units(wide) && wide.size() > 1) {
-      for (Options& answer : answers_of_numbers()) add_answer(asked, {}, answer);
+      for (const Options& answer : answers_of_numbers()) add_answer(asked, {}, answer);
       return add_answers_of_rows(asked, wide_options, {}, wide);
     }
     const bool is_value_known = !known_.values.empty() || values.size() == 1;
@@ -184,7 +184,8 @@ class Asking {
 
   // Returns the columns of numbers with decimals if there are several: whole numbers may also name and count.
   Columns possible_values() const {
-    Columns all = numbers(), decimals;
+    const Columns all = numbers();
+    Columns decimals;
     for (const Facts& facts : facts_)
       if (has(all, facts.column) && !facts.are_whole && facts.different > 1) decimals.push_back(facts.column);
     return all.size() > 1 && decimals.size() == 1 ? decimals : all;
@@ -369,7 +370,7 @@ bool are_summaries(const Sheet& sheet) {
 }
 
 void answer_by_summaries(const Sheet& sheet, MissingOption& asked, const Options& better) {
-  Options options = joined({"--summaries"}, better);
+  const Options options = joined({"--summaries"}, better);
   if (summary_columns_of(sheet).n)
     asked.answers.push_back(options);
   else

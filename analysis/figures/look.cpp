@@ -124,6 +124,7 @@ Look look_of(std::vector<Series> solvers, FigureStyle style) {
   Look look{.style = std::move(style)};
   look.lines = line_styles(solvers, look.style);
   std::vector<std::string> labels;
+  labels.reserve(solvers.size());
   for (const Series& solver : solvers) labels.push_back(solver.label);
   look.names = base::short_names(labels);
   return look;

@@ -312,7 +312,7 @@ struct PairLabels {
   static const char* sign(const Comparison& pair) { return pair.scale == EffectScale::ratio ? "/" : "-"; }
 
   std::string of_row(const Comparison& pair) const {
-    const std::string first = look.names.at(pair.first), second = look.names.at(pair.second);
+    const std::string &first = look.names.at(pair.first), &second = look.names.at(pair.second);
     if (is_first_shared) return second;
     if (is_second_shared) return first;
     const char joint = character_count(first + second) > 30 ? '\n' : ' ';

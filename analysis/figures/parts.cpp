@@ -277,9 +277,11 @@ void add_names(Figure& figure, std::vector<Named> marks) {
     const double height =
         std::clamp((at[i] + up[i]) / 2, row * static_cast<double>(n - 1 - i), 1 - row * static_cast<double>(i));
     std::string at_name = fmt::format("screen 1 - margin({}), graph {}", text_of(widest_cm + 0.3), text_of(height));
-    if (is_below)
+    if (is_below) {
+      const std::size_t row_from_below = figure.legend - i / columns;
       at_name = fmt::format("screen {}, screen up({})", i % columns == 0 ? 0.05 : 0.53,
-                            text_of(0.35 * static_cast<double>(figure.legend - i / columns)));
+                            text_of(0.35 * static_cast<double>(row_from_below)));
+    }
     // The marker has a label of its own, because SVG raises the text of a label with a point.
     figure.settings += fmt::format(
         "set label {} at {} left offset 1, 0 noenhanced tc rgb ink\nset label '' at {} point {}\n", gnuplot_text(label),

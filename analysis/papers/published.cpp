@@ -64,6 +64,7 @@ std::optional<Ranges> predicted_ranges(const std::vector<double>& values, int ru
   constexpr std::size_t studies = 500, least = 12, most = 487;  // places of 2.5 and 97.5 % among 500
   if (values.size() < 5 || std::ranges::min(values) <= 0) return {};
   std::vector<double> logs;
+  logs.reserve(values.size());
   for (const double value : values) logs.push_back(std::log(value));
   std::ranges::sort(logs);
   const double above = tail_slope(logs), below = tail_slope({logs.rbegin(), logs.rend()});

@@ -262,6 +262,7 @@ JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
   for (const auto& [name, rates] : rates_of(repeated)) {
     if (rates.empty()) continue;
     std::vector<Holds> repeats;
+    repeats.reserve(rates.size());
     for (const Rate& rate : rates) repeats.push_back(repeats_printed(rate));
     JudgedClaim& result = judged.emplace_back(JudgedClaim{claim});
     result.id = fmt::format("{}-{}", claim.id, name);

@@ -99,7 +99,7 @@ class ResultColumn {
     const Comparison* const stored = pair_of(solver);
     const Comparison pair = stored ? better_first(*stored, marked_.reference) : Comparison();
     const bool is_untested = is_not_tested(solver, group, stored);
-    ValueCell cell{.value = unknown, .mark = mark(solver, stored ? &pair : nullptr, is_untested)};
+    const ValueCell cell{.value = unknown, .mark = mark(solver, stored ? &pair : nullptr, is_untested)};
     if (has_ratios() && solver != marked_.reference && !excluded(group)) return ratio_cell(cell, pair, is_untested);
     return average_cell(cell, i);
   }

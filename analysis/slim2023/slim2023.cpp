@@ -58,6 +58,7 @@ std::string first_sentence(Holds conclusion, const std::vector<SeedCounts>& coun
         fmt::format("; with so few runs, {} {} inconclusive", base::counted(open, "claims"), open == 1 ? "is" : "are");
   if (!counts.empty() && counts[0].of > 0) {
     std::vector<std::string> repeated;
+    repeated.reserve(counts.size());
     for (const SeedCounts& each : counts) repeated.push_back(span_of(each.all) + with(each.reading));
     besides = fmt::format(
         ". Of the {} error and motion statistics in Table 3 we reproduce {}, depending on the seed; in simulation, the "

@@ -43,7 +43,7 @@ class PathReader final : public TomlReader {
 
  private:
   // Reads a list of poses, which is required, because a study needs targets.
-  void on_poses(Name name, std::any field) override {
+  void on_poses(Name name, const std::any& field) override {
     constexpr std::string_view expected =
         "a list of 1 to 100000 poses such as { position_cm = [60, 0, 35], rpy_deg = [180, 0, 180] }";
     auto& poses = *std::any_cast<std::vector<Pose>*>(field);

@@ -68,7 +68,7 @@ class FieldWriter final : public base::Fields {
   void on_numbers(Name name, std::vector<double>& field, double unit, int) override {
     add(name, in_units(field, unit), exact_text(field));
   }
-  void on_poses(Name name, std::any field) override {
+  void on_poses(Name name, const std::any& field) override {
     add(name, {}, "");
     fields.back().poses = std::any_cast<std::vector<robots::Pose>*>(field);
   }

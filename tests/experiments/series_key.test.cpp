@@ -40,7 +40,7 @@ class Changer final : public Fields {
   void on_numbers(Name name, std::vector<double>& field, double unit, int) override {
     if (is_at(name)) field[0] += unit;
   }
-  void on_poses(Name name, std::any field) override {
+  void on_poses(Name name, const std::any& field) override {
     if (is_at(name)) std::any_cast<std::vector<Pose>*>(field)->push_back(Pose::Identity());
   }
 

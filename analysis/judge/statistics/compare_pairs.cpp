@@ -419,6 +419,7 @@ Pair pair_of(const MetricSamples& samples, const AnalysisPlan& plan, std::size_t
 void require_control(const MetricSamples& samples, const AnalysisPlan& plan) {
   if (plan.control.empty() || index_of(samples, plan.control) < samples.groups.size()) return;
   std::vector<std::string> names;
+  names.reserve(samples.groups.size());
   for (const Group& group : samples.groups) names.push_back(group.name);
   const std::string message = base::unknown_name("label", plan.control, names);
   throw std::invalid_argument(fmt::format("--control: {}", base::front(message, 1000)));
@@ -559,6 +560,8 @@ std::vector<Comparison> compare_pairs(const MetricSamples& samples, const Analys
 std::vector<std::vector<Comparison>> compare_pairs(const std::vector<FamilyMember>& family, std::size_t metrics) {
   std::vector<std::vector<Pair>> members;
   std::vector<std::vector<Group>> sorted;
+  members.reserve(family.size());
+  sorted.reserve(family.size());
   for (const FamilyMember& member : family) sorted.push_back(sorted_groups(*member.samples));
   for (std::size_t i = 0; i < family.size(); ++i)
     members.push_back(pairs_of(*family[i].samples, sorted[i], *family[i].plan));
