@@ -281,7 +281,7 @@ TEST_CASE("claims are told by verdict, with the whole count of readings", "[pape
   CHECK(verdict.tone == ikbench::show::Tone::neutral);
   CHECK(std::get<std::string>(table.rows.back()[3]) == "not counted");
   CHECK(std::get<ikbench::show::VerdictCell>(table.rows.back()[0]).text == "not tested");
-  CHECK(contains(show::to_text(means_table(repeated(study))), "0.00194 cm   0.0019 "));
+  CHECK(contains(show::to_text(means_table(repeated(study))), "0.00194 cm       0.0019 "));
   const std::string text = screen({"A sentence."}, {.caption = "Table"}, claims);
   CHECK(text.find("\nholds by default  ") < text.find("\nnot tested  "));
   CHECK(contains(text, "inconclusive in 864 interpretations"));
