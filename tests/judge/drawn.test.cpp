@@ -540,7 +540,7 @@ TEST_CASE("drawn tables are judged as a second reference judges them", "[drawn][
       if (!is_so) contradictions.push_back(fmt::format("table {}, {}: {}", number, what, more));
     };
     const auto read = [&] { return csv::read(table.text, "drawn.csv", request); };
-    if (table.is_huge) check("refused", contains(complaint<std::invalid_argument>(read), "beyond"), "1e300");
+    if (table.is_huge) check("refused", contains(complaint<std::invalid_argument>(read), "1e60"), "1e300");
     if (table.is_huge) continue;
     ++tables;
     MetricSamples samples = read().samples[0];
