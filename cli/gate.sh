@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
 # Runs a study and compares its store with a baseline, as action.yml does: STUDY=my.toml BASELINE=old.sqlite cli/gate.sh
+# With REQUIRE (solved=95%, one requirement per line) the study's own solvers must also show these shares, and BASELINE is
+# not needed; an inconclusive requirement fails.
 # MARGIN (5%; default: the plan's), METRIC (solved,evaluations; default: all that the plan names), STRICT (true: inconclusive
 # fails, too), OUT (ikbench-gate), IKBENCH (the program).
 # With OLD, an older ikbench, in place of BASELINE both solve the study in turn, so that times decide, too: ROUNDS (20),
@@ -24,7 +26,8 @@ refuse() { echo "gate: $1" >&2; ended failed 1; }
 [[ -n $study ]] || refuse "STUDY is not set; expected a study, such as STUDY=my.toml"
 old=${OLD:-} rounds=${ROUNDS:-20} time_margin=
 [[ -z $old ]] || baseline=$out/before/store.sqlite time_margin=${TIME_MARGIN:-10%}
-[[ -n $baseline ]] || refuse "BASELINE is not set; expected the store of the baseline, such as BASELINE=old.sqlite"
+[[ -n $baseline || -n ${REQUIRE:-} ]] ||
+  refuse "BASELINE is not set; expected the store of the baseline, such as BASELINE=old.sqlite, or REQUIRE=solved=95%"
 [[ -z ${TURNS:-} ]] || refuse "TURNS is now called ROUNDS"
 [[ $rounds =~ ^[1-9][0-9]{0,3}$ ]] || refuse "ROUNDS is $rounds; expected a number from 1 to 9999"
 [[ -z $time_margin || $time_margin =~ ^[0-9]+(\.[0-9]+)?%$ ]] || refuse "TIME_MARGIN is $time_margin; expected a percentage, such as 10%"
@@ -50,12 +53,24 @@ else  # who begins a round alternates
   done >/dev/null
   for each in "$out/before" "$out"; do "$program" merge "$each" "$each/shards" || ended failed $?; done
 fi
-rm -f -- "$out/verdict.md"  # of an earlier call
-[[ -e $baseline || -L $baseline ]] || { echo "There is no baseline yet; keep $out/store.sqlite as $baseline."; ended no-baseline 0; }
+rm -f -- "$out"/{verdict.md,required.txt}  # of an earlier call
+required=0  # the exit code of the requirements
+if [[ -n ${REQUIRE:-} ]]; then
+  options=()
+  while IFS= read -r line; do [[ -z $line ]] || options+=(--require="$line"); done <<<"$REQUIRE"
+  "$program" report "$out/store.sqlite" --figures none --strict "${options[@]}" >"$out/required.txt"
+  required=$?
+  cat "$out/required.txt"
+  [[ -z ${GITHUB_STEP_SUMMARY:-} ]] || printf '```\n%s\n```\n' "$(<"$out/required.txt")" >>"$GITHUB_STEP_SUMMARY"
+  [[ $required =~ ^[034]$ ]] || ended failed $required
+fi
+end_by_requirements() { case $required in 0) ended "$1" 0 ;; 3) ended unmet 3 ;; *) ended inconclusive 4 ;; esac; }
+[[ -n $baseline ]] || end_by_requirements passed
+[[ -e $baseline || -L $baseline ]] || { echo "There is no baseline yet; keep $out/store.sqlite as $baseline."; end_by_requirements no-baseline; }
 differ  # of files that were not there
 options=(${MARGIN:+--margin="$MARGIN"} ${time_margin:+--time-margin="$time_margin"} ${METRIC:+--metric="$METRIC"})
 [[ ${STRICT:-} != true ]] || options+=(--strict)
 "$program" compare "$baseline" "$out/store.sqlite" -o "$out/verdict.md" "${options[@]}"
 code=$?
 [[ -z ${GITHUB_STEP_SUMMARY:-} || ! -e $out/verdict.md ]] || cat "$out/verdict.md" >>"$GITHUB_STEP_SUMMARY"
-case $code in 0) ended passed 0 ;; 3) ended worse 3 ;; 4) ended inconclusive 4 ;; *) ended failed $code ;; esac
+case $code in 0) end_by_requirements passed ;; 3) ended worse 3 ;; 4) ended inconclusive 4 ;; *) ended failed $code ;; esac

@@ -37,8 +37,10 @@ const std::vector<std::string>& distinct_names(const std::vector<std::string>& n
 void write_studies(const std::vector<std::string>& files, const std::string& study, const std::string& out,
                    const ReportArguments& report) {
   if (out.empty()) throw std::invalid_argument("several stores make one table; say where to write it: --out FOLDER");
-  if (report.is_json || !report.figures.empty() || !report.styles.empty() || !report.beside.empty())
-    throw std::invalid_argument("several stores make one table; leave out --json, --figures, --style and --beside");
+  if (report.is_json || !report.figures.empty() || !report.styles.empty() || !report.beside.empty() ||
+      !report.requirements.empty())
+    throw std::invalid_argument(
+        "several stores make one table; leave out --json, --figures, --style, --beside and --require");
   std::vector<show::ReportModel> studies;
   std::vector<std::string> names, arms, folders;
   std::set<std::string> keys;  // of the series of all stores
@@ -67,7 +69,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
 
 }  // namespace
 
-void add_report(const Command& command, Invocation&) {
+void add_report(const Command& command, Invocation& invocation) {
   struct Arguments {
     std::vector<std::string> stores;
     std::string study, out;
@@ -86,7 +88,7 @@ void add_report(const Command& command, Invocation&) {
       "  ikbench report theirs.sqlite --out out/theirs\n"
       "  ikbench report out/panda/store.sqlite out/ur5e/store.sqlite --out out/both\n"
       "  ikbench report out/my/store.sqlite --style journal.toml");
-  command.callback([arguments] {
+  command.callback([arguments, &invocation] {
     if (arguments->stores.size() > 1)
       return write_studies(arguments->stores, arguments->study, arguments->out, arguments->report);
     const std::string& file = arguments->stores.front();
@@ -94,8 +96,8 @@ void add_report(const Command& command, Invocation&) {
         arguments->out.empty() ? std::filesystem::path(file).parent_path() : std::filesystem::path(arguments->out);
     const Store store(file, Store::Mode::read);
     const StoredStudy study = store.study(arguments->study);
-    write_and_announce(store, study, folder.empty() ? "." : folder, arguments->report,
-                       imported_results(study, arguments->report));
+    invocation.exit_code = write_and_announce(store, study, folder.empty() ? "." : folder, arguments->report,
+                                              imported_results(study, arguments->report));
   });
 }
 

@@ -119,12 +119,45 @@ judge::StudyResults results_of_store(const std::string& file, const std::string&
   return results;
 }
 
+// Returns the requirements of --require.
+std::vector<Requirement> requirements_in(const ReportArguments& arguments) {
+  std::vector<Requirement> requirements;
+  for (const std::string& text : arguments.requirements) {
+    try {
+      requirements.push_back(parse_requirement(text));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("--require {}", error.what()));
+    }
+  }
+  return requirements;
+}
+
+// Judges a study, and checks the requirements of the command, otherwise those of the study.
+judge::JudgedStudy judge_with_requirements(judge::StudyResults results, const StoredStudy& study,
+                                           const ReportArguments& arguments,
+                                           const std::optional<judge::StudyResults>& beside) {
+  if (beside) judge::add_imported(results, *beside);
+  judge::JudgedStudy judged = judge::judge(std::move(results));
+  std::vector<Requirement> requirements = requirements_in(arguments);
+  if (requirements.empty()) requirements = study.definition.requirements;
+  std::vector<std::string> own = experiments::own_solvers_of(study);
+  std::erase_if(own, [&](const std::string& label) { return std::ranges::count(judged.study.labels, label) == 0; });
+  judged.requirements = judge::check_requirements(judged, requirements, own, arguments.is_strict);
+  return judged;
+}
+
 }  // namespace
 
 void add_report_options(const Command& command, ReportArguments& arguments, bool is_of_study) {
-  if (is_of_study)
+  if (is_of_study) {
     command.add("--beside", &arguments.beside,
                 "add results of the same study: libraries (the archive of libraries), or the path of a store");
+    command.add(
+        "--require", &arguments.requirements,
+        "share that each of your own solvers must show, such as solved=95%, or LABEL.solved=95% for one solver; "
+        "repeatable. Exit code 3: one fails; 4 with --strict: one is inconclusive");
+    command.add("--strict", &arguments.is_strict, "exit code 4 if a requirement is inconclusive");
+  }
   command.add("--figures", &arguments.figures, "draw only these figures: error,solved; none: draw nothing")
       .separated_by_commas();
   command.add("--style", &arguments.styles,
@@ -214,26 +247,39 @@ void write_and_print(show::Report report, const std::filesystem::path& folder, c
                                             : fmt::format("{}Report: {}\n", screen, page)));
 }
 
-bool write_and_announce(const Store& store, const StoredStudy& study, const std::filesystem::path& folder,
-                        const ReportArguments& arguments, const std::optional<judge::StudyResults>& beside) {
+void refuse_wrong_requirements(const ReportArguments& arguments, const StudySpec& study,
+                               const std::vector<std::string>& labels) {
+  for (const Requirement& requirement : requirements_in(arguments)) {
+    if (!requirement.solver.empty() && std::ranges::count(labels, requirement.solver) == 0)
+      throw std::invalid_argument("--require: " + unknown_name("label", requirement.solver, labels));
+    if (const std::string lack = lack_of_share(study, requirement.metric); !lack.empty())
+      throw std::invalid_argument("--require: " + lack);
+  }
+}
+
+int write_and_announce(const Store& store, const StoredStudy& study, const std::filesystem::path& folder,
+                       const ReportArguments& arguments, const std::optional<judge::StudyResults>& beside) {
   const FigureStyle style =
       apply_style(study.definition.figures, labels_of(study), arguments);  // refuses before the study is read
+  refuse_wrong_requirements(arguments, study.definition, labels_of(study));
   judge::StudyResults results = read_and_export(store, study, folder);
   const bool has_silent = print_never_answering(results, arguments.is_json);
-  if (beside) judge::add_imported(results, *beside);
-  judge::JudgedStudy judged = judge::judge(std::move(results));
+  judge::JudgedStudy judged = judge_with_requirements(std::move(results), study, arguments, beside);
+  const int code = exit_code(judged.requirements);
   const figures::Look look = figures::look_of(judged, style);
   std::vector<figures::Figure> pictures = figures::of_study(judged, look);
   write_and_print(show::make_report(std::move(judged), std::move(pictures)), folder, arguments, look.style);
-  return has_silent;
+  return has_silent ? 3 : code;
 }
 
-bool show_answer(const Store& store, const StoredStudy& study, const std::optional<judge::StudyResults>& beside) {
+int show_answer(const Store& store, const StoredStudy& study, const ReportArguments& arguments,
+                const std::optional<judge::StudyResults>& beside) {
   judge::StudyResults results = read_checked(store, study);
   const bool has_silent = print_never_answering(results, true);
-  if (beside) judge::add_imported(results, *beside);
-  show_json(show::to_json(show::make_report(judge::judge(std::move(results)), {}).model));
-  return has_silent;
+  judge::JudgedStudy judged = judge_with_requirements(std::move(results), study, arguments, beside);
+  const int code = exit_code(judged.requirements);
+  show_json(show::to_json(show::make_report(std::move(judged), {}).model));
+  return has_silent ? 3 : code;
 }
 
 std::optional<judge::StudyResults> imported_results(const StoredStudy& study, const ReportArguments& arguments) {

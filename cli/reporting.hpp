@@ -20,9 +20,11 @@ namespace ikbench::cli {
 // The options of a report, as given on the command line.
 struct ReportArguments {
   bool is_json = false;
-  std::vector<std::string> figures = {};  // names; empty: all
-  std::vector<std::string> styles = {};   // shipped, or files; their keys replace those of the study
-  std::string beside = {};                // imported results: the archive, or a store; empty: none
+  std::vector<std::string> figures = {};       // names; empty: all
+  std::vector<std::string> styles = {};        // shipped, or files; their keys replace those of the study
+  std::vector<std::string> requirements = {};  // of --require
+  bool is_strict = false;                      // an inconclusive requirement fails the command
+  std::string beside = {};                     // imported results: the archive, or a store; empty: none
 };
 
 // Returns the names of figures, and the keys of their look.
@@ -46,16 +48,19 @@ void write_and_print(show::Report report, const std::filesystem::path& folder, c
 // results are of a different study.
 std::optional<judge::StudyResults> imported_results(const results::StoredStudy& study,
                                                     const ReportArguments& arguments);
-// Writes the report of a study in the store, and prints its screen or JSON. Returns true if a solver gave no answer in
-// any solve, after a message that names the solvers.
-bool write_and_announce(const results::Store& store, const results::StoredStudy& study,
-                        const std::filesystem::path& folder, const ReportArguments& arguments,
-                        const std::optional<judge::StudyResults>& beside);
+// Writes the report of a study in the store, and prints its screen or JSON. Returns the exit code: 3 if a solver gave
+// no answer in any solve, after a message that names the solvers; otherwise the code of the requirements.
+int write_and_announce(const results::Store& store, const results::StoredStudy& study,
+                       const std::filesystem::path& folder, const ReportArguments& arguments,
+                       const std::optional<judge::StudyResults>& beside);
 
-// Prints the judged study as JSON, and writes nothing. Returns true, with a message, if a solver gave no answer in any
-// solve.
-bool show_answer(const results::Store& store, const results::StoredStudy& study,
-                 const std::optional<judge::StudyResults>& beside);
+// Prints the judged study as JSON, and writes nothing. Returns the exit code as above.
+int show_answer(const results::Store& store, const results::StoredStudy& study, const ReportArguments& arguments,
+                const std::optional<judge::StudyResults>& beside);
+// Throws std::invalid_argument if a text of --require is not a requirement, or names a label or a share that the study
+// does not have.
+void refuse_wrong_requirements(const ReportArguments& arguments, const results::StudySpec& study,
+                               const std::vector<std::string>& labels);
 
 // Reads a study, checks each solve by experiments/stored_checks.hpp, and passes the solve on to `also`. Throws
 // std::invalid_argument if a check fails, or if the study's solvers have no solve in the store.

@@ -112,8 +112,9 @@ Study study_of(const StudyToRun& arguments) {
     if (std::ranges::none_of(study.solvers, is_time_reference))
       study.solvers.push_back({.label = "ikbench's LM", .solver = std::string(judge::time_reference_solver)});
   }
-  // A mistake in style or plan shows before hours of solving.
+  // A mistake in style, requirements or plan shows before hours of solving.
   static_cast<void>(apply_style({study.figures}, labels_of(study), arguments.report));
+  refuse_wrong_requirements(arguments.report, study, labels_of(study));
   const std::vector<judge::Metric> metrics = judge::metrics_of(study);
   if (!study.plan.metric.empty()) static_cast<void>(judge::metric_named(study.plan.metric, metrics));
   return study;
@@ -138,9 +139,8 @@ void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
   if (!has_report && !arguments.report.is_json) fmt::print("{}\n", wrapped(solved));
   if (is_part || (!has_report && !arguments.report.is_json)) return;
   const Store store(store_path(folder), Store::Mode::read);
-  const bool has_silent = has_report ? write_and_announce(store, stored, folder, arguments.report, beside)
-                                     : show_answer(store, stored, beside);
-  if (has_silent) invocation.exit_code = 3;
+  invocation.exit_code = has_report ? write_and_announce(store, stored, folder, arguments.report, beside)
+                                    : show_answer(store, stored, arguments.report, beside);
 }
 
 }  // namespace

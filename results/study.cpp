@@ -85,6 +85,34 @@ void refuse_former_keys(const toml::table& table, std::string_view source) {
 
 }  // namespace
 
+std::vector<Requirement> read_requirements(const base::TomlReader& require) {
+  std::vector<Requirement> requirements;
+  const auto read = [&](const toml::key& key, const toml::node& node, const std::string& prefix) {
+    const auto value = node.value<std::string>();
+    if (!value) require.fail(key.str(), node, "a share in quotes, such as \"95%\"");
+    try {
+      requirements.push_back(parse_requirement(fmt::format("{}{}={}", prefix, key.str(), *value)));
+    } catch (const std::invalid_argument& error) {
+      throw require.mistake(key.str(), error.what());
+    }
+  };
+  for (const auto& [key, node] : require.table()) {
+    if (const toml::table* const of_solver = node.as_table())
+      for (const auto& [metric, share] : *of_solver) read(metric, share, std::string(key.str()) + '.');
+    else
+      read(key, node, "");
+  }
+  return requirements;
+}
+
+std::string lack_of_share(const StudySpec& study, std::string_view slug) {
+  const bool is_in_time = slug == "in-time";
+  if (is_in_time && study.plan.deadline == 0 && study.loop.period == 0)
+    return "in-time needs a study with analysis.deadline_ms or loop.period_ms";
+  if (!is_in_time && !study.has_tolerance()) return "solved needs a study with a tolerance (stop.tolerance_cm)";
+  return "";
+}
+
 StudyDefinition parse_definition(std::string_view json) {
   return definition_of(base::parsed_json(json), std::string(json));
 }
@@ -109,6 +137,7 @@ StudyDefinition definition_of(const base::Json& document, std::string json) {
   list_fields(check, study.check);
   check.texts("process", study.check.process);
   list_fields(analysis, study.plan);
+  study.requirements = read_requirements(reader.part("require"));
   list_fields(figures, study.figures);
   for (const auto& [label, node] : colours.table())
     colours.text(label.str(), study.figures.colours[std::string(label.str())]);

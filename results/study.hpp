@@ -16,6 +16,11 @@
 #include "numerics/stop_rule.hpp"
 #include "results/figure_style.hpp"
 #include "results/record.hpp"
+#include "results/requirement.hpp"
+
+namespace ikbench::base {
+class TomlReader;
+}
 
 namespace ikbench::results {
 
@@ -173,8 +178,9 @@ struct StudySpec {
   numerics::StopRule stop;
   ControlLoop loop;
   AnswerCheck check;
-  AnalysisPlan plan;    // decides no number of a solve
-  FigureStyle figures;  // colours of solver entries are in these entries of a study file
+  AnalysisPlan plan;                           // decides no number of a solve
+  std::vector<Requirement> requirements = {};  // [require]; decide no number of a solve
+  FigureStyle figures;                         // colours of solver entries are in these entries of a study file
 
   // Returns true if each solve begins where the last one left the arm.
   bool is_chained() const { return start == Start::previous; }
@@ -213,6 +219,10 @@ struct StudyDefinition : StudySpec {
   }
 };
 
+// Reads [require]: "solved" = "95%", or a table per solver. Throws std::invalid_argument with the place of a mistake.
+std::vector<Requirement> read_requirements(const base::TomlReader& require);
+// Returns why a study has no share of this slug, as a sentence without a full stop; empty if it has.
+std::string lack_of_share(const StudySpec& study, std::string_view slug);
 // Reads a definition. Members that the text lacks keep their defaults. Throws std::invalid_argument if the text is no
 // JSON object, or if a value is impossible; the message has the study's name and the member.
 StudyDefinition parse_definition(std::string_view json);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/judge/data/sampling.hpp"
+#include "analysis/judge/requirement.hpp"
 #include "analysis/judge/statistics/compare_pairs.hpp"
 #include "analysis/judge/statistics/descriptives.hpp"
 
@@ -43,6 +44,7 @@ struct JudgedStudy {
   std::vector<JudgedMetric> metrics;
   std::size_t primary = 0;        // index of the deciding metric: the plan's; otherwise solved, or error if none was
   std::vector<Warning> warnings;  // about the whole study
+  std::vector<RequirementCheck> requirements = {};  // made by check_requirements if the command asks for them
 };
 
 // Makes the samples of all reported metrics, without descriptives and comparisons.

@@ -68,8 +68,8 @@ std::string budget_text(const judge::StudyResults& study);
 // Returns why solves failed: "Why unsolved: evaluation limit (DLS); gave up or iteration limit (PSO and DE).".
 // Empty if all solves are solved, or if the study has no tolerance.
 std::string failure_reasons_text(const judge::StudyResults& study);
-// Returns how often the study's check refused answers of each solver: "Rejected by the check: collision (DLS 3 and PSO 1).". Empty if
-// the check refused none. More than ten faults are only counted.
+// Returns how often the study's check refused answers of each solver: "Rejected by the check: collision (DLS 3 and PSO
+// 1).". Empty if the check refused none. More than ten faults are only counted.
 std::string rejections_text(const judge::StudyResults& study);
 
 }  // namespace ikbench::show

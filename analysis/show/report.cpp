@@ -10,6 +10,7 @@
 
 #include "analysis/show/headline.hpp"
 #include "analysis/show/phrases.hpp"
+#include "analysis/show/requirements.hpp"
 #include "analysis/show/result_tables.hpp"
 #include "analysis/show/text.hpp"
 #include "base/json.hpp"
@@ -146,6 +147,7 @@ std::vector<Blocks> report_sections(const Report& report) {
   for (const Warning& warning : report.model.all_warnings()) warnings.push_back(warning_sentence(warning));
   if (report.lead.empty()) {
     sections[0] = {Heading{headline(report.model)}};
+    for (const std::string& sentence : requirement_sentences(report.model)) sections[0].emplace_back(sentence);
     if (is_of_study) sections[0].emplace_back(report.model.study_text);
     Table results = results_table(report.model);
     results.notes.insert(results.notes.end(), warnings.begin(), warnings.end());

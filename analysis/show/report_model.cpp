@@ -256,6 +256,7 @@ ReportModel make_report_model(const JudgedStudy& judged) {
   ReportModel model = make_report_model(judged.metrics, judged.primary,
                                         is_of_solved ? definition.plan.tie_breakers : std::vector<std::string>());
   model.warnings = judged.warnings;
+  model.requirements = judged.requirements;
   model.study_text = study_sentences(judged.study);
   model.extra_tables = {{"Control loop", loop_table(judged.study, model.solvers())},
                         {"Imported results", imported_table(judged.study, model.solvers())},

@@ -15,15 +15,16 @@
 namespace ikbench::show {
 
 struct ReportModel {
-  std::vector<judge::JudgedMetric> metrics;      // the first is the primary metric, which the headline is about
-  std::vector<std::size_t> order;                // groups of the primary metric, best first
-  std::vector<judge::Warning> warnings;          // about the whole study
-  std::string noun = "values";                   // what the values of a sample are: "runs", "targets"
-  std::string time_limit = {};                   // "1 ms" if only a time limit ends unsolved solves; otherwise empty
-  std::size_t named_metrics = 1;                 // metrics that the plan names, which share the significance
-  std::vector<std::string> notes;                // below the table of results
-  std::string study_text = {};                   // what was solved, and what ended a solve; empty for a file
-  std::string rejections_text = {};              // answers that the study's check refused; empty: none
+  std::vector<judge::JudgedMetric> metrics;  // the first is the primary metric, which the headline is about
+  std::vector<std::size_t> order;            // groups of the primary metric, best first
+  std::vector<judge::Warning> warnings;      // about the whole study
+  std::string noun = "values";               // what the values of a sample are: "runs", "targets"
+  std::string time_limit = {};               // "1 ms" if only a time limit ends unsolved solves; otherwise empty
+  std::size_t named_metrics = 1;             // metrics that the plan names, which share the significance
+  std::vector<std::string> notes;            // below the table of results
+  std::string study_text = {};               // what was solved, and what ended a solve; empty for a file
+  std::string rejections_text = {};          // answers that the study's check refused; empty: none
+  std::vector<judge::RequirementCheck> requirements = {};  // of the study, in their order
   std::string verdict = {};                      // the answer of `compare`, in place of the headline; otherwise empty
   std::string direction = {};                    // "smaller is better" for a user's file; empty for a study
   std::vector<std::string> tie_breakers = {};    // of the plan, in order; empty: no second question

@@ -16,6 +16,7 @@
 #include "analysis/judge/statistics/omnibus.hpp"
 #include "analysis/show/headline.hpp"
 #include "analysis/show/phrases.hpp"
+#include "analysis/show/requirements.hpp"
 #include "analysis/show/text.hpp"
 #include "base/json.hpp"
 #include "base/names.hpp"
@@ -49,9 +50,11 @@ Cell value_cell(const Group& group, double value) {
                                                          : Cell(value);
 }
 
-// Returns Wilson's interval [%] of a share of successes, if each value is a single trial; nullopt for other metrics.
-std::optional<Interval> share_interval(const JudgedMetric& judged, const Descriptives& descriptives) {
-  if (!is_success_rate(judged) || trials_per_value(judged.samples) > 1 || descriptives.n == 0) return {};
+// Returns the interval [%] of a share of successes, which is in percent; nullopt for other metrics, and for a
+// deterministic solver, whose share has no chance in it.
+std::optional<Interval> share_interval(const JudgedMetric& judged, std::size_t group) {
+  const Descriptives& descriptives = judged.descriptives[group];
+  if (!is_success_rate(judged) || descriptives.n == 0 || is_deterministic(judged.samples.groups[group])) return {};
   const Interval share = wilson_interval({.share = descriptives.mean / 100, .n = static_cast<double>(descriptives.n)},
                                          judged.plan.significance);
   return Interval{100 * share.low, 100 * share.high};
@@ -167,7 +170,7 @@ class ResultColumn {
     }
     cell.value = shown.value;
     cell.is_bound = shown.is_bound;
-    cell.interval = share_interval(judged_, descriptives);
+    cell.interval = share_interval(judged_, i);
     const bool has_spread = is_deciding() && !is_success_rate(judged_) && !is_conditional_on_success(judged_.samples) &&
                             !cell.is_bound && descriptives.n >= 2;
     if (!has_spread) return cell;
@@ -539,7 +542,8 @@ Table descriptives_table(const ReportModel& model) {
       const Group& group = samples.groups[i];
       auto& row = table.rows.emplace_back();
       row = {samples.quantity, group.name, std::int64_t{descriptives.n}, value_cell(group, descriptives.mean)};
-      const std::optional<Interval> interval = share_interval(judged, descriptives);
+      const bool is_of_trials = is_success_rate(judged) && trials_per_value(samples) == 1;
+      const std::optional<Interval> interval = is_of_trials ? share_interval(judged, i) : std::nullopt;
       for (const double value :
            {descriptives.sd, descriptives.median, descriptives.lower_quartile, descriptives.upper_quartile,
             descriptives.quantile_95, descriptives.smallest, descriptives.largest})
@@ -607,6 +611,7 @@ base::OrderedJson to_json(const ReportModel& model) {
           {"comparisons", to_json(pairs)},
           {"direction", std::move(direction)},
           {"warnings", std::move(warnings)},
+          {"requirements", requirements_json(model)},
           {"notes", notes}};
 }
 

@@ -9,6 +9,7 @@
 
 #include "analysis/show/headline.hpp"
 #include "analysis/show/phrases.hpp"
+#include "analysis/show/requirements.hpp"
 #include "analysis/show/result_tables.hpp"
 #include "analysis/show/text.hpp"
 #include "base/names.hpp"
@@ -91,7 +92,10 @@ std::string terminal_report(const ReportModel& model, const std::string& page) {
   const std::string more_solvers = shorten_table(table, reference);
   const std::string notes = notes_text(table, model);
   table.notes.clear();
-  std::string text = wrapped_paragraph(shortener.text(headline(model)), "") + '\n';
+  std::string text = wrapped_paragraph(shortener.text(headline(model)), "");
+  for (const std::string& sentence : requirement_sentences(model))
+    text += wrapped_paragraph(shortener.text(sentence), "  ");
+  text += '\n';
   text += shortener.table(std::move(table)) + more_solvers;
   if (!notes.empty()) text += wrapped_paragraph(shortener.text(notes), "");
   if (!model.rejections_text.empty()) text += wrapped_paragraph("! " + shortener.text(model.rejections_text), "  ");

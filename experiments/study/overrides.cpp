@@ -45,7 +45,8 @@ toml::table& subtable(toml::table& table, std::string_view key, std::string_view
 }
 
 constexpr std::string_view swept_owner = "sweep";
-constexpr std::array<std::string_view, 7> study_tables{"analysis", "check", "figures", "loop", "path", "stop", "urdf"};
+constexpr std::array<std::string_view, 8> study_tables{"analysis", "check",   "figures", "loop",
+                                                       "path",     "require", "stop",    "urdf"};
 
 // Returns the settings of a solver that can be swept: the population, and the options of a built-in solver.
 std::set<std::string> settings_of(const std::string& solver) {

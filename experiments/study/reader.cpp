@@ -296,6 +296,18 @@ void convert_initial(const TomlReader& reader, Study& study, const Robot& arm) {
   }
 }
 
+// Reads [require], whose labels must be of the study.
+void read_requirements(const TomlReader& require, Study& study) {
+  study.requirements = results::read_requirements(require);
+  for (const results::Requirement& requirement : study.requirements) {
+    const std::string lack = results::lack_of_share(study, requirement.metric);
+    if (!lack.empty()) throw require.mistake(requirement.metric, lack);
+    if (!requirement.solver.empty())
+      refuse_unknown(require, {.key = requirement.solver, .kind = "label", .name = requirement.solver},
+                     labels_of(study));
+  }
+}
+
 // Reads [analysis]. The control may be a label that a sweep splits, which is dropped.
 void read_plan(const TomlReader& analysis, Study& study) {
   read_part(analysis, study.plan);
@@ -325,6 +337,7 @@ Study read_study(const toml::table& table, std::string_view source, const ArmOfS
   convert_initial(reader, study, arm);
   read_solvers(reader, study, arm);
   read_plan(analysis, study);
+  read_requirements(reader.part("require"), study);
   read_style(figures, study.figures);
   for (const std::string& label : study.figures.solvers)
     refuse_unknown(figures, {.key = "solvers", .kind = "label", .name = label}, labels_of(study));

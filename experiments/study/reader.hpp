@@ -38,6 +38,8 @@ Study load_study(const results::Store& store, const results::StoredStudy& stored
 bool read_stored_targets(const results::StoredStudy& stored, Study& study);
 // Returns the programs of a stored study, each with its arguments: those of its solvers and of its check.
 std::vector<std::vector<std::string>> programs_of(const results::StoredStudy& stored);
+// Returns the labels of the user's own solvers: programs, and solvers that are not registered in this program.
+std::vector<std::string> own_solvers_of(const results::StoredStudy& stored);
 // Returns the registered name of a solver by its name or by the abbreviation that tables use, such as LM, in any case
 // of letters. Returns `name` if no solver has it.
 std::string solver_named(const std::string& name);

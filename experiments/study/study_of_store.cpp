@@ -20,6 +20,7 @@ namespace ikbench::experiments {
 
 using namespace base;
 using namespace results;
+using namespace solvers;
 
 namespace {
 
@@ -138,6 +139,20 @@ std::vector<std::vector<std::string>> programs_of(const StoredStudy& stored) {
     if (!process.empty()) programs.insert(process);
   }
   return {programs.begin(), programs.end()};
+}
+
+std::vector<std::string> own_solvers_of(const StoredStudy& stored) {
+  const std::vector<SolverInfo> registered = all_solvers();
+  const toml::table definition = toml_of(parsed_json(stored.definition.json));
+  std::vector<std::string> labels;
+  if (!definition.contains("solvers")) return labels;
+  TomlReader reader(definition, fmt::format("study {}", stored.name), "");
+  for (const toml::table* const entry : reader.tables("solvers", max_solvers, "a list of solvers")) {
+    const std::string solver = (*entry)["solver"].value_or(std::string());
+    if (entry->contains("process") || std::ranges::count(registered, solver, &SolverInfo::name) == 0)
+      labels.push_back((*entry)["label"].value_or(solver));
+  }
+  return labels;
 }
 
 Study load_study(const Store& store, const StoredStudy& stored, const Overrides& overrides) {

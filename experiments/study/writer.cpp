@@ -86,6 +86,17 @@ OrderedJson entry_definition(const SolverEntry& entry) {
   return json;
 }
 
+// Returns the requirements as [require] has them: "mine.solved": "95%".
+OrderedJson requirements_json(const std::vector<results::Requirement>& requirements) {
+  OrderedJson json;
+  for (const results::Requirement& requirement : requirements) {
+    const std::string text = requirement.text();
+    const std::size_t equals = text.rfind('=');
+    json[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  return json;
+}
+
 // Returns the study as in a study file.
 OrderedJson definition(const Study& study) {
   Study fields = as_in_files(study);
@@ -97,6 +108,7 @@ OrderedJson definition(const Study& study) {
   if (fields.figures != FigureStyle()) json["figures"] = json_of(written_fields(fields.figures));
   if (!fields.figures.colours.empty()) json["figures"]["colours"] = fields.figures.colours;
   json["stop"] = json_of(written_fields(fields.stop));
+  if (!study.requirements.empty()) json["require"] = requirements_json(study.requirements);
   if (fields.loop.period > 0) json["loop"] = json_of(written_fields(fields.loop));
   if (study.checker) {
     json["check"] = json_of(written_fields(fields.check));
@@ -151,7 +163,7 @@ std::optional<Study> original_of(const Study& study) {
 // The limits of the arm may then move the initial configuration.
 bool may_differ(const std::string& pointer, const Study& original) {
   constexpr std::array<std::string_view, 5> free_settings{"/name", "/title", "/seed", "/trace", "/rounds"};
-  constexpr std::array<std::string_view, 3> free_tables{"/analysis/", "/figures/", "/solvers/"};
+  constexpr std::array<std::string_view, 4> free_tables{"/analysis/", "/figures/", "/require/", "/solvers/"};
   const bool is_of_arm = pointer == "/robot" || pointer.starts_with("/initial_deg");
   if (is_of_arm && original.path->name() == "random") return true;
   return std::ranges::find(free_settings, pointer) != free_settings.end() ||
@@ -230,6 +242,16 @@ std::string lines_of_entry(const SolverEntry& entry) {
   return text;
 }
 
+// Returns [require] as a study file has it; empty if nothing is required.
+std::string requirement_lines(const std::vector<results::Requirement>& requirements) {
+  if (requirements.empty()) return "";
+  std::string text = "\n[require]  # shares that the solvers must show; they do not affect the solves\n";
+  const OrderedJson shares = requirements_json(requirements);
+  for (const auto& [name, share] : shares.items())
+    text += line(toml_string(name), toml_string(share.get<std::string>()), "");
+  return text;
+}
+
 }  // namespace
 
 std::string to_toml(Path path) {
@@ -248,7 +270,7 @@ std::string to_toml(const Study& study) {
     fields.initial.resize(0);  // does not depend on the arm then
   std::string text = lines_of(written_fields(fields));
   text += "\n[analysis]  # how the results are judged; it does not affect the solves\n" +
-          lines_of(written_fields(fields.plan)) +
+          lines_of(written_fields(fields.plan)) + requirement_lines(study.requirements) +
           "\n[figures]  # their style; it affects neither the solves nor how they are judged\n" +
           to_toml(fields.figures);
   if (is_urdf_file(study.robot)) text += "\n[urdf]\n" + lines_of(written_fields(fields.urdf));

@@ -102,3 +102,32 @@ python3 -c 'import json; json.dump(json.load(open(".out")), open("alone.json", "
 succeeds report unreported/store.sqlite --json --figures none
 python3 -c 'import json; both = [json.load(open(name)) for name in ("alone.json", ".out")]; both[1].pop("files"); assert both[0] == both[1]' ||
   fail "another answer than that of the report"
+
+# Requirements: each verdict has its exit code, also from the study's file and from a store.
+cat >require.toml <<'END'
+robot = "ur5e"
+search = "pose"
+start = "middle"
+runs = 60
+path = { kind = "random", points = 1 }
+stop = { tolerance_cm = 0.001, tolerance_deg = 0.01, evaluations = 2000 }
+[[solvers]]
+label = "LM"
+solver = "levenberg_marquardt"
+[[solvers]]
+label = "hopeless"
+solver = "random_search"
+END
+ends 0 run require.toml --require LM.solved=50% --strict --figures none
+ends 3 run require.toml --require solved=50% --figures none
+ends 0 report out/require/store.sqlite --require LM.solved=99.9% --figures none
+has "$(<.out)" "--strict"
+ends 4 report out/require/store.sqlite --require LM.solved=99.9% --strict --figures none
+ends 1 report out/require/store.sqlite --require nobody.solved=50% --figures none
+equal "verdicts" "met failed" "$("$program" report out/require/store.sqlite --require solved=50% --figures none --json |
+  python3 -c 'import json, sys; print(*(each["verdict"] for each in json.load(sys.stdin)["requirements"]))')"
+sed '/^stop/a [require]\n"hopeless.solved" = "50%"' require.toml >inside.toml
+ends 3 run inside.toml --figures none
+ends 0 report out/inside/store.sqlite --require LM.solved=50% --figures none
+"$program" list studies inside.toml >again.toml
+ends 3 run again.toml --out out/again --figures none
