@@ -96,7 +96,13 @@ cp "$root/solvers/helpers/ikbench.py" .
 gate 0 no-baseline
 cp ikbench-gate/store.sqlite baseline.sqlite
 gate 0 passed OUT=same STRICT=true
-[ -s same/verdict.md ] && cmp same/verdict.md summary.md || fail "no verdict in the summary: $(<summary.md)"
+gate 0 passed BASELINE= OUT=required REQUIRE='solved=50%'
+has "$(<summary.md)" "at least 50 %"
+gate 4 inconclusive OUT=required REQUIRE=$'mine.solved=50%\nsolved=99.9%'
+gate 1 failed OUT=required REQUIRE=time=5%
+sed 's/^evaluations = .*/evaluations = 8/' gate.toml >few.toml
+gate 3 unmet BASELINE= STUDY=few.toml OUT=few REQUIRE='solved=99%'
+[ -s same/verdict.md ] && has "$(<summary.md)" "$(<same/verdict.md)" || fail "no verdict in the summary: $(<summary.md)"
 refused 'alternating rounds' compare $base $again --time-margin 10%
 code=0  # 3 where the machine was slower in one's rounds, 1 where it was busy
 OUT=rounds OLD=$program ROUNDS=6 BASELINE='' bash "$root/cli/gate.sh" >.out 2>.err || code=$?
