@@ -182,7 +182,6 @@ std::string renaming(std::string_view name, const std::vector<std::string>& cand
 }
 
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates) {
-  if (const std::string sentence = renaming(name, candidates); !sentence.empty()) return "; " + sentence;
   const std::string nearest = nearest_name(name, candidates);
   return nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest);
 }
@@ -231,7 +230,9 @@ std::map<std::string, std::string> short_names(const std::vector<std::string>& n
 }
 
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates) {
-  if (std::string sentence = renaming(name, candidates); !sentence.empty()) return sentence;
+  // Labels, columns and the like are the user's own, so that a former name of ours means nothing there.
+  const bool is_of_program = kind == "key" || kind == "value" || kind == "metric" || kind.starts_with("option of");
+  if (std::string sentence = renaming(name, candidates); is_of_program && !sentence.empty()) return sentence;
   const std::string nearest = did_you_mean(name, candidates);
   return fmt::format("unknown {} \"{}\"{}{}", kind, front(name, 100),
                      nearest.empty() ? "; there are: " : nearest + " There are: ", fmt::join(candidates, ", "));

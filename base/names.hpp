@@ -16,10 +16,11 @@ namespace ikbench::base {
 // Returns the candidate with the smallest edit distance, otherwise one that contains the name; empty if none is near.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
-// Returns `then is now called tie_breakers` for the former name of a candidate; empty for other names.
+// Returns `then is now called tie_breakers` for the former name of a candidate; empty for other names. Use it for names
+// of the program: keys, values, options and metrics.
 std::string renaming(std::string_view name, const std::vector<std::string>& candidates);
 
-// Returns `; did you mean "ik_bat"?`, or `; hot is now called warm`; empty if no candidate is near.
+// Returns `; did you mean "ik_bat"?`; empty if no candidate is near.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
 // Returns "A, B and C", or "A; B, C and D" if one name is "B, C".

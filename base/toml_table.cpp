@@ -130,8 +130,11 @@ void TomlReader::on_choice(Name name, std::size_t& chosen, const std::vector<std
   if (node == nullptr) return;
   const std::string wanted = node->value_or(std::string());
   const auto found = std::ranges::find(choices, wanted);
+  const std::string renamed = renaming(wanted, choices);
   if (found == choices.end())
-    fail(name.key, *node, fmt::format("one of \"{}\"{}", fmt::join(choices, "\", \""), did_you_mean(wanted, choices)));
+    fail(name.key, *node,
+         fmt::format("one of \"{}\"{}{}", fmt::join(choices, "\", \""), renamed.empty() ? "" : "; ",
+                     renamed.empty() ? did_you_mean(wanted, choices) : renamed));
   chosen = static_cast<std::size_t>(found - choices.begin());
 }
 

@@ -135,16 +135,24 @@ std::vector<RegressionCheck> compare_all(const CompareArguments& arguments) {
 
 std::string not_tested_text(const show::ReportModel& answer, const JudgedMetric& judged) {
   const auto* const not_tested = std::get_if<NotTested>(&judged.comparisons.front().result);
-  if (not_tested != nullptr) return show::reason_text(*not_tested, show::observation_noun(answer, judged));
+  if (not_tested != nullptr) return show::reason_in_metric(*not_tested, judged, show::observation_noun(answer, judged));
+  if (show::is_success_rate(judged)) return "neither solved any target";
   return fmt::format("neither has a value of {}", judged.samples.quantity);
 }
 
-// The findings of a check, on which its sentence depends.
-enum Finding : unsigned { worse = 1, better = 2, failures = 4, inconclusive = 8, untested = 16, within_margin = 32 };
+// The kinds of outcomes of a check, on which its sentence depends.
+enum OutcomeFlag : unsigned {
+  worse = 1,
+  better = 2,
+  failures = 4,
+  inconclusive = 8,
+  untested = 16,
+  within_margin = 32
+};
 
-// A sentence for the checks that have all of `findings`.
+// A sentence for the checks that have all of `flags`.
 struct SentenceCase {
-  unsigned findings;
+  unsigned flags;
   const char* sentence;
 };
 
@@ -164,15 +172,15 @@ constexpr SentenceCase sentence_cases[]{
     {within_margin, "{candidate} is not worse than {baseline} by more than the margin."},
     {0, "{candidate} is not worse than {baseline}."}};
 
-unsigned findings_of(const RegressionCheck& check) {
+unsigned flags_of(const RegressionCheck& check) {
   unsigned found = 0;
   if (check.new_failures > 0) found = failures;
-  for (const auto& [outcome, finding] : {std::pair(RegressionOutcome::worse, worse),
-                                         {RegressionOutcome::better, better},
-                                         {RegressionOutcome::inconclusive, inconclusive},
-                                         {RegressionOutcome::not_tested, untested},
-                                         {RegressionOutcome::worse_below_margin, within_margin}})
-    if (check.has(outcome)) found |= finding;
+  for (const auto& [outcome, flag] : {std::pair(RegressionOutcome::worse, worse),
+                                      {RegressionOutcome::better, better},
+                                      {RegressionOutcome::inconclusive, inconclusive},
+                                      {RegressionOutcome::not_tested, untested},
+                                      {RegressionOutcome::worse_below_margin, within_margin}})
+    if (check.has(outcome)) found |= flag;
   return found;
 }
 
@@ -181,17 +189,20 @@ std::string baseline_name(const RegressionCheck& check) {
   return check.label.empty() ? check.baseline : "the " + check.baseline;
 }
 
+// The beginnings of quantities that are plurals.
+constexpr std::string_view plural_quantities[]{"targets ", "evaluations", "iterations", "searches"};
+
 // Returns "joint motion is" or "error and joint motion are".
 std::string with_verb(const std::vector<std::string>& quantities) {
   const std::string all = show::listed(quantities);
-  const std::string first = all.substr(0, all.find(' '));  // "targets", "evaluations" or "joint"
-  return all + (quantities.size() > 1 || first.ends_with('s') ? " are" : " is");
+  const bool is_plural = std::ranges::any_of(plural_quantities, [&](auto each) { return all.starts_with(each); });
+  return all + (quantities.size() > 1 || is_plural ? " are" : " is");
 }
 
 // Returns "mine is worse than PSO in targets solved and error; joint motion is inconclusive."
 std::string relation_sentence(const RegressionCheck& check, const std::string& candidate) {
-  const unsigned found = findings_of(check);
-  const auto fits = [&](const SentenceCase& each) { return (each.findings & ~found) == 0; };
+  const unsigned found = flags_of(check);
+  const auto fits = [&](const SentenceCase& each) { return (each.flags & ~found) == 0; };
   const SentenceCase& chosen = *std::ranges::find_if(sentence_cases, fits);
   const std::string failed = base::counted(check.new_failures, "new failures") + " (no answer)";
   const std::vector<std::string> unclear = check.quantities(RegressionOutcome::inconclusive);
@@ -200,7 +211,7 @@ std::string relation_sentence(const RegressionCheck& check, const std::string& c
       fmt::arg("worse", show::listed(check.quantities(RegressionOutcome::worse))),
       fmt::arg("better", show::listed(check.quantities(RegressionOutcome::better))), fmt::arg("failures", failed),
       fmt::arg("unclear", with_verb(unclear)), fmt::arg("any", show::listed(unclear, " or ")));
-  if ((found & failures) != 0 && (chosen.findings & failures) == 0) text += fmt::format(" It also has {}.", failed);
+  if ((found & failures) != 0 && (chosen.flags & failures) == 0) text += fmt::format(" It also has {}.", failed);
   return text;
 }
 
@@ -251,9 +262,10 @@ std::string changed_targets_text(const RegressionCheck& check) {
     return fmt::format("{} and {} more", fmt::join(targets, ", "), more);
   };
   const auto rest = check.judged.metrics.back().descriptives.front().n - static_cast<int>(changed);
-  const std::string same = check.identical_solves == rest
-                               ? fmt::format("the other {} solves are identical", rest)
-                               : fmt::format("identical: {} of the other {} solves", check.identical_solves, rest);
+  std::string same = check.identical_solves == rest
+                         ? fmt::format("the other {} solves are identical", rest)
+                         : fmt::format("identical: {} of the other {} solves", check.identical_solves, rest);
+  if (rest == 0) same = "no other solves";
   return fmt::format("Newly unsolved{}: {}; newly solved: {}; {}.", check.label.empty() ? "" : " by " + check.label,
                      names_text(check.newly_unsolved), names_text(check.newly_solved), same);
 }

@@ -60,8 +60,7 @@ void add_export(const Command& command, Invocation&) {
       "Columns: ikbench list columns");
   command.callback([arguments] {
     if (arguments->format == "archive") {
-      if (arguments->file == "-")
-        throw std::invalid_argument("--format archive needs -o FILE, such as -o mine.sqlite");
+      if (arguments->file == "-") throw std::invalid_argument("--format archive needs -o FILE, such as -o mine.sqlite");
       if (!arguments->study.empty())
         throw std::invalid_argument("an archive has all studies of its store; give no --study");
       fmt::print("{}: seal {}\n", printable(base::one_line(arguments->file)),

@@ -25,7 +25,7 @@ namespace ikbench::cli {
 // 1: a user's mistake, or a damaged store
 // 2: an internal error, or an error of the system
 // 3: something is worse, or a solver never answers
-// 4: something is not decided
+// 4: something is inconclusive
 // 5: solves are missing
 // 128 + the number of a signal: stopped by the signal
 struct Invocation {

@@ -83,8 +83,9 @@ std::string fingerprints_text(const Store& store, const std::vector<judge::Judge
     if (fingerprint(store, study).text != reference) different.push_back(study.name);
   }
   if (compared == 0) return "Solves: nothing is published for this seed and number of runs";
-  return fmt::format("Solves of {} of {} studies match the published ones bit for bit{}{}", compared - different.size(),
-                     compared, different.empty() ? "" : "; different: ", fmt::join(different, ", "));
+  return fmt::format("Solves of {} of {} studies match those published with ikbench, bit for bit{}{}",
+                     compared - different.size(), compared,
+                     different.empty() ? "" : "; different: ", fmt::join(different, ", "));
 }
 
 // Returns the number of solves at once of a multiverse: one per processor, since no times are measured.

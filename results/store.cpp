@@ -449,6 +449,11 @@ std::vector<StoredStudy> Store::studies(const std::string& name) const {
       StoredStudy study{.name = query.getColumn(0).getString(), .definition = {}, .series = {}};
       try {
         study.definition = parse_definition(object(query.getColumn(1)));
+      } catch (const FormerDefinition& error) {
+        throw std::invalid_argument(fmt::format(
+            "'{}' was written by an earlier ikbench ({}); run its study again into a new folder: ikbench run STUDY --out "
+            "NEW",
+            database_->name, error.what()));
       } catch (const std::invalid_argument& error) {
         throw CorruptValue(error.what());
       }

@@ -76,10 +76,11 @@ void list_fields(base::Fields& io, StudySpec& study) {
 namespace {
 
 // Refuses a stored table in which a key has its former name, because the key would count as one that is not given.
+// Other renamed keys are refused by their readers.
 void refuse_former_keys(const toml::table& table, std::string_view source) {
   for (const auto& [key, node] : table) {
     if (const std::string now = base::renaming(key.str(), {"rounds", "tie_breakers"}); !now.empty())
-      throw std::invalid_argument(fmt::format("{}: {}", source, now));
+      throw FormerDefinition(fmt::format("{}: {}", source, now));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -217,6 +218,11 @@ struct StudyDefinition : StudySpec {
   bool compares_runs() const {
     return is_chained() ? plan.values == AnalysisPlan::Values::runs : points == 1 && !draws_targets;
   }
+};
+
+// Thrown for a definition that an earlier version wrote, and that this version cannot read.
+struct FormerDefinition : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
 };
 
 // Reads [require]: "solved" = "95%", or a table per solver. Throws std::invalid_argument with the place of a mistake.

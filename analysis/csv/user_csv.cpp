@@ -285,7 +285,7 @@ void add_warnings(const Items& items, const Gaps& gaps, const Request& request, 
   Warning missing{.kind = WarningKind::incomplete,
                   .detail = request.missing == "worst" ? "rows have no value and count as no answer"
                                                        : "rows have no value and are left out"};
-  Warning without{.kind = WarningKind::no_answer, .detail = "values are no answers"};
+  Warning without{.kind = WarningKind::no_answer, .detail = "values are infinite, which means no answer"};
   const auto add = [](Warning& warning, const std::string& group, std::size_t count) {
     if (count == 0) return;
     warning.solvers.push_back(group);
@@ -497,8 +497,11 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
     groups.push_back({.name = name, .sample = summary});
     if (summary.sd > 0) continue;  // a spread of 0, which may have been rounded away, would decide everything
     groups.back().sample = ExcludedSample{.reason = ExclusionReason::zero_spread, .printed = summary};
-    samples.warnings.push_back(
-        {.kind = WarningKind::deterministic, .solvers = {name}, .count = size, .total = size, .detail = "value"});
+    samples.warnings.push_back({.kind = WarningKind::deterministic,
+                                .solvers = {name},
+                                .count = size,
+                                .total = size,
+                                .detail = samples.quantity});
   }
   const std::vector<Better> better = better_of(sheet, request, titles);
   for (std::size_t i = 0; i < titles.size(); ++i) quantities.samples[i].better = better[i];

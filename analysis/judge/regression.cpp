@@ -341,15 +341,20 @@ RegressionCheck check_regression(StudyResults baseline, StudyResults candidate, 
       metric.samples.warnings.push_back({.kind = WarningKind::times_not_comparable, .detail = obstacle});
   }
   const auto budget_of = [](const numerics::StopRule& stop) {
-    return fmt::format("{} iterations, {} evaluations, {:g} ms", stop.iterations, stop.evaluations, 1e3 * stop.seconds);
+    std::vector<std::string> limits;
+    if (stop.iterations > 0) limits.push_back(base::counted(stop.iterations, "iterations"));
+    if (stop.evaluations > 0) limits.push_back(base::counted(stop.evaluations, "evaluations"));
+    if (stop.seconds > 0) limits.push_back(fmt::format("{:g} ms", 1e3 * stop.seconds));
+    return base::listed(limits, " or ");
   };
   const std::string ours = budget_of(both.judged.study.definition.stop), theirs = budget_of(baseline.definition.stop);
   if (ours == theirs) return both;
   std::erase_if(both.judged.warnings,
                 [](const Warning& warning) { return warning.kind == WarningKind::budgets_differ; });
-  both.judged.warnings.push_back({.kind = WarningKind::budgets_differ,
-                                  .solvers = both.judged.study.labels,
-                                  .detail = fmt::format("budgets per solve differ: {} now, {} before", ours, theirs)});
+  both.judged.warnings.push_back(
+      {.kind = WarningKind::budgets_differ,
+       .solvers = both.judged.study.labels,
+       .detail = fmt::format("budgets per solve differ: the candidate has {}, the baseline {}", ours, theirs)});
   return both;
 }
 

@@ -27,7 +27,7 @@ std::string reason_against(const MetricSamples& samples, const std::string& solv
   for (const Warning& warning : samples.warnings) {
     const bool is_named = warning.solvers.empty() || std::ranges::count(warning.solvers, solver) > 0;
     if (is_named && warning.kind == WarningKind::time_limit_decides)
-      return "the time limit stopped solves: " + warning.detail;
+      return "the time limit stopped solves " + warning.detail;
     if (is_named && warning.kind == WarningKind::times_not_comparable) return warning.detail;
   }
   return "its share is not comparable";

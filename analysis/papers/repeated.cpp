@@ -243,7 +243,7 @@ std::vector<std::string> means_sentences(const std::vector<RateColumn>& columns)
       if (std::abs(rate.ours - rate.printed) < most + 0.5) same.push_back(fmt::format("{}/{}", ours, rate.digits));
     }
   }
-  const std::string undecided = open > 0 ? fmt::format(", {} are inconclusive", open) : "";
+  const std::string inconclusive = open > 0 ? fmt::format(", {} are inconclusive", open) : "";
   const std::string nearly =
       same.empty()
           ? ""
@@ -252,7 +252,7 @@ std::vector<std::string> means_sentences(const std::vector<RateColumn>& columns)
                 same.size(), counted, most, fmt::join(same, ", "));
   std::vector<std::string> sentences{
       all == open ? "There are too few targets to say whether we reproduce any number of the paper."
-                  : fmt::format("We reproduce {} of {} numbers of the paper{}{}.", repeat, all, undecided, nearly)};
+                  : fmt::format("We reproduce {} of {} numbers of the paper{}{}.", repeat, all, inconclusive, nearly)};
   if (!others.empty()) sentences.push_back(fmt::format("Not reproduced: {}.", show::listed(others, ", ")));
   return sentences;
 }
@@ -265,7 +265,7 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
   std::vector<std::string> sentences, who;
   for (const auto& [name, words] : plan.tables) {
     const bool is_first = sentences.empty();
-    std::vector<std::string> counts, undecided;
+    std::vector<std::string> counts, inconclusive;
     for (const RateColumn& column : rates_of(repeated, name)) {
       std::vector<std::string> others;
       std::int64_t repeat = 0, open = 0;
@@ -281,7 +281,7 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
         most = std::max(most, ratio);
       }
       if (open == std::ssize(column.rates))
-        undecided.push_back(column.name);
+        inconclusive.push_back(column.name);
       else
         counts.push_back(fmt::format("for {} on {}{} of {}{}", column.name, repeat,
                                      open > 0 ? fmt::format(" (inconclusive on {})", open) : "", column.rates.size(),
@@ -294,8 +294,8 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
     }
     if (!counts.empty())
       sentences.push_back(fmt::format("We reproduce the rates of {} {}.", words, show::listed(counts)));
-    if (!undecided.empty())
-      sentences.push_back(fmt::format("All rates of {} are inconclusive for {}.", words, show::listed(undecided)));
+    if (!inconclusive.empty())
+      sentences.push_back(fmt::format("All rates of {} are inconclusive for {}.", words, show::listed(inconclusive)));
   }
   std::ranges::move(who, std::back_inserter(sentences));
   return sentences;

@@ -217,7 +217,7 @@ JudgedClaims differ(const Claim& claim, const Repeated& repeated) {
     if (all.empty())
       here.push_back(Holds::not_tested);
     else
-      here.push_back(all[0].p < significance ? Holds::holds : Holds::undecided);
+      here.push_back(all[0].p < significance ? Holds::holds : Holds::inconclusive);
   }
   JudgedClaim result{claim};
   result.holds = holds_of(here);
@@ -252,7 +252,7 @@ JudgedClaims at_rounding(const Claim& claim, const Repeated& repeated) {
 
 Holds repeats_printed(const Rate& rate) {
   if (rate.sign() == "x") return Holds::fails;
-  return rate.sign() == "~" ? Holds::holds : Holds::undecided;
+  return rate.sign() == "~" ? Holds::holds : Holds::inconclusive;
 }
 
 // Returns a claim per solver, over all arms, or per printed column: the numbers are as printed.
@@ -268,7 +268,7 @@ JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
     result.id = fmt::format("{}-{}", claim.id, name);
     result.sentence = fmt::format(fmt::runtime(claim.sentence), fmt::arg("solver", name));
     result.holds = holds_of(repeats);
-    if (std::ranges::count(repeats, Holds::undecided) < std::ssize(repeats))
+    if (std::ranges::count(repeats, Holds::inconclusive) < std::ssize(repeats))
       result.number =
           fmt::format("{} {} of {} {}", is_of_arms ? "on" : "for", std::ranges::count(repeats, Holds::holds),
                       repeats.size(), is_of_arms ? "arms" : "solvers");
@@ -313,14 +313,14 @@ void Tally::add(Verdict verdict) {
 Holds holds_of(const Tally& tally) {
   if (tally.worse > 0) return Holds::fails;
   if (tally.better > 0 && tally.better == tally.all()) return Holds::holds;
-  return tally.better + tally.open > 0 ? Holds::undecided : Holds::not_tested;
+  return tally.better + tally.open > 0 ? Holds::inconclusive : Holds::not_tested;
 }
 
 Holds holds_of(const std::vector<Holds>& parts) {
   const auto has_any = [&](Holds part) { return std::ranges::find(parts, part) != parts.end(); };
   const auto all_are = [&](Holds part) { return std::ranges::count(parts, part) == std::ssize(parts); };
   if (has_any(Holds::in_part) || (has_any(Holds::holds) && has_any(Holds::fails))) return Holds::in_part;
-  return all_are(parts.front()) ? parts.front() : Holds::undecided;
+  return all_are(parts.front()) ? parts.front() : Holds::inconclusive;
 }
 
 MetricSamples deviations(MetricSamples samples) {

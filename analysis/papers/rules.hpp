@@ -19,9 +19,9 @@ struct Repeated;  // repeated.hpp
 // holds: the claim holds for all of its parts.
 // in_part: the claim holds for some of its parts, and fails for others.
 // fails: the claim fails.
-// undecided: more data could show either.
+// inconclusive: more data could show either.
 // not_tested: the data here cannot decide the claim.
-enum class Holds { holds, in_part, fails, undecided, not_tested };
+enum class Holds { holds, in_part, fails, inconclusive, not_tested };
 // Returns the word for a verdict.
 std::string_view name_of(Holds holds);
 
@@ -72,11 +72,11 @@ struct Tally {
   // Returns the number of all pairs.
   int all() const { return better + worse + open + untested; }
 };
-// Returns fails if a pair is worse, holds if all pairs are better, not_tested if no pair was tested, and undecided
+// Returns fails if a pair is worse, holds if all pairs are better, not_tested if no pair was tested, and inconclusive
 // otherwise.
 Holds holds_of(const Tally& tally);
 // Returns in_part if a part does or if some parts hold and others fail, the verdict of the parts if all are alike, and
-// undecided otherwise. `parts` must not be empty.
+// inconclusive otherwise. `parts` must not be empty.
 Holds holds_of(const std::vector<Holds>& parts);
 
 // Returns the samples with each value replaced by its distance from the median of the value's group. The means of these

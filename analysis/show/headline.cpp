@@ -56,15 +56,6 @@ bool is_solved(const JudgedMetric& judged) { return judged.samples.quantity_kind
 
 std::string is_or_are(const Names& solvers) { return solvers.size() == 1 ? "is" : "are"; }
 
-// Returns why no number of a pair is comparable, by the metric's warnings.
-std::string not_comparable_text(const JudgedMetric& judged, std::string reason) {
-  for (const Warning& warning : judged.samples.warnings) {
-    if (warning.kind == WarningKind::times_not_comparable) reason = warning.detail;
-    if (warning.kind == WarningKind::time_limit_decides) reason = "stopped by the time limit: " + warning.detail;
-  }
-  return reason;
-}
-
 // Returns why pairs of these solvers are not tested: "8 runs; at least 10 needed", "the machine was busy". Empty if
 // they have several reasons.
 std::string reason_not_tested(const ReportModel& model, const JudgedMetric& judged, const Names& solvers) {
@@ -73,19 +64,25 @@ std::string reason_not_tested(const ReportModel& model, const JudgedMetric& judg
   for (const Comparison& comparison : judged.comparisons) {
     const auto* const not_tested = std::get_if<NotTested>(&comparison.result);
     if (!not_tested || (!names.contains(comparison.first) && !names.contains(comparison.second))) continue;
-    std::string reason = reason_text(*not_tested, observation_noun(model, judged));
-    if (not_tested->reason == NotTestedReason::not_comparable) reason = not_comparable_text(judged, std::move(reason));
-    reasons.insert(std::move(reason));
+    reasons.insert(reason_in_metric(*not_tested, judged, observation_noun(model, judged)));
   }
   return reasons.size() == 1 ? *reasons.begin() : "";
 }
 
 std::string in_brackets(const std::string& text) { return text.empty() ? "" : fmt::format(" ({})", text); }
 
-// Returns "PSO 88"; "LM 0.1 (88)", since two numbers in a row would read as one.
-std::string with_number(const std::string& name, const std::string& number) {
-  const bool ends_with_digit = std::isdigit(static_cast<unsigned char>(name.back())) != 0;
-  return ends_with_digit ? fmt::format("{} ({})", name, number) : fmt::format("{} {}", name, number);
+// Returns the names, each with its number: "PSO 88"; "LM 0.1 (88)" if a name has a digit or ends with a sign, because
+// two numbers side by side would read as one.
+Names joined(const Names& names, const Names& numbers) {
+  const auto may_end_in_number = [](const std::string& name) {
+    const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+    return std::ranges::any_of(name, is_digit) || static_cast<unsigned char>(name.back()) >= 0x80;
+  };
+  const bool has_brackets = std::ranges::any_of(names, may_end_in_number);
+  Names texts;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    texts.push_back(fmt::format(fmt::runtime(has_brackets ? "{} ({})" : "{} {}"), names[i], numbers[i]));
+  return texts;
 }
 
 // The solvers of a second question: those that no other is shown to beat or that are not separated, the worse ones, and
@@ -224,7 +221,11 @@ class QuestionTeller {
       text += fmt::format("within {}, ", model_.time_limit);
     if (is_against_control())
       text += fmt::format("compared with {}, ", with_numbers(question_.statements.front().against));
-    return (is_nothing_solved() ? "No solver reached any target. " : "") + as_sentence(text);
+    if (!is_nothing_solved()) return as_sentence(text);
+    const bool is_limited = !is_solved(judged_) && !model_.time_limit.empty();
+    return as_sentence((is_limited ? fmt::format("within {}, no", model_.time_limit) : "no") +
+                       " solver reached any target. ") +
+           as_sentence(text);
   }
 
   // The numbers of a first question.
@@ -286,12 +287,14 @@ class QuestionTeller {
     for (std::string& name : names) name += fmt::format(" ({})", number(name));
     return names_of(names);
   }
+  Names numbers(const Names& names) {
+    Names texts;
+    for (const std::string& name : names) texts.push_back(number(name));
+    return texts;
+  }
   // Returns "PSO 88 and mine 54"; for many solvers "7 others 12 to 88".
-  std::string lower_counts(Names names, std::string_view last) {
-    if (names.size() <= max_named) {
-      for (std::string& name : names) name = with_number(name, number(name));
-      return listed(names, last);
-    }
+  std::string lower_counts(const Names& names, std::string_view last) {
+    if (names.size() <= max_named) return listed(joined(names, numbers(names)), last);
     const std::string highest = number(names.front()), lowest = number(names.back());
     return fmt::format("{} others {}{}", names.size(), lowest, highest == lowest ? "" : " to " + highest);
   }
@@ -311,7 +314,7 @@ class QuestionTeller {
     Names others = names_that(statement.solvers, [&](const std::string& name) { return !is_highest(name); });
     const std::string text = fmt::format("{} {}", names_of(firsts), highest_count(firsts.front()));
     if (others.empty()) return text;
-    return fmt::format("{}, {}{}", text, lower_counts(std::move(others), ", "),
+    return fmt::format("{}, {}{}", text, lower_counts(others, ", "),
                        is_without_winner() ? "" : in_brackets(difference_text(statement.kind)));
   }
   std::string difference_text(Kind kind) const {
@@ -323,6 +326,8 @@ class QuestionTeller {
   // The clauses of a first question.
 
   std::string control_clause(const Statement& statement) {
+    if (statement.kind == Kind::inconclusive)
+      return fmt::format("for {} it is inconclusive", with_numbers(statement.solvers));
     return fmt::format("{} {} {}{}", with_numbers(statement.solvers), is_or_are(statement.solvers),
                        verdict_against_control(statement), below_margin(statement.is_below_margin));
   }
@@ -336,14 +341,14 @@ class QuestionTeller {
         return same_within_margin();
       case Kind::not_tested:
         return "not tested" + in_brackets(reason_not_tested(model_, judged_, statement.solvers));
-      case Kind::no_comparison:  // of these, only `inconclusive` is said against a control
+      case Kind::inconclusive:   // has words of its own
+      case Kind::no_comparison:  // the others are not said against a control
       case Kind::best:
-      case Kind::inconclusive:
       case Kind::none_better:
       case Kind::cyclic:
-        return "inconclusive";
+        break;
     }
-    return "inconclusive";
+    return "";
   }
 
   std::string clause(const Statement& statement) {
@@ -386,9 +391,8 @@ class QuestionTeller {
       return displayed_average(judged_, index_of(judged_.samples, name)).value;
     });
     const std::string closest = number(solvers.front());
-    Names others;
-    for (std::size_t i = 1; i < solvers.size(); ++i) others.push_back(with_number(solvers[i], number(solvers[i])));
-    std::string text = listed(others);
+    const Names others(solvers.begin() + 1, solvers.end());
+    std::string text = listed(joined(others, numbers(others)));
     if (others.size() > max_named)
       text = fmt::format("{} others {} to {}", others.size(), number(solvers[1]), number(solvers.back()));
     return fmt::format("{} came closest ({}; {}, inconclusive)", solvers.front(), closest, text);
@@ -403,7 +407,7 @@ class QuestionTeller {
         fmt::format("{} {} than {}{}: ", best, is_better, other, below_margin(statement.is_below_margin));
     if (is_solved(judged_)) {
       const std::string highest = highest_count(best);
-      return fmt::format("{}it {}, {}", text, highest, with_number(other, number(other)));
+      return fmt::format("{}it {}, {}", text, highest, joined({other}, {number(other)}).front());
     }
     const std::string first_number = number(best);
     return fmt::format("{}{} against {}", text, first_number, number(other));
@@ -431,13 +435,15 @@ class QuestionTeller {
     const std::string reason = reason_not_tested(model_, judged_, statement.solvers);
     const std::string against = statement.against.empty() ? "" : " against " + statement.against.front();
     const bool is_first = first_named_.empty();
-    Names texts = statement.solvers;
-    if (is_first) first_named_ = texts.front();
-    for (std::string& text : texts) {
-      const bool is_known = !std::isnan(displayed_average(judged_, index_of(judged_.samples, text)).value);
-      const bool has_unit = is_first && &text == &texts.front();
-      if (is_first || is_known) text = with_number(text, value_text(text, has_unit));
+    if (is_first) first_named_ = statement.solvers.front();
+    Names known, values, unknown;
+    for (const std::string& name : statement.solvers) {
+      const bool is_known = !std::isnan(displayed_average(judged_, index_of(judged_.samples, name)).value);
+      (is_known || is_first ? known : unknown).push_back(name);
+      if (is_known || is_first) values.push_back(value_text(name, is_first && values.empty()));
     }
+    Names texts = joined(known, values);
+    texts.insert(texts.end(), unknown.begin(), unknown.end());
     if (!is_first) return fmt::format("Not tested{}: {}{}", against, names_of(texts), in_brackets(reason));
     return fmt::format("Not tested{}{}. {}: {}", against, reason.empty() ? "" : ": " + reason, quantity_as_title(),
                        names_of(texts, ", "));

@@ -99,7 +99,7 @@ ReasonTexts reason_words(NotTestedReason why) {
       {{"missing_values", "values are missing", "values are missing"},
        {"infinite_values", "a mean needs finite values", "a mean needs finite values"},
        {"not_comparable", "not comparable", "not comparable (!)"},
-       {"zero_spread", "one has zero spread", "not comparable (!)"},
+       {"zero_spread", "a group has zero spread", "not comparable (!)"},
        {"nothing_solved", "one or both solved no target", "no target was solved"},
        {"no_answer", "neither gave an answer", "no answer"},
        {"copies", "each has a single number, which may have been copied; add --run row if each row is a measurement",
@@ -113,6 +113,16 @@ std::string reason_text(const NotTested& open, std::string_view noun) {
   if (open.reason != NotTestedReason::sample_too_small || open.n == 0)
     return std::string(reason_words(open.reason).of_pair);
   return fmt::format("{}, at least {} needed", base::counted(open.n, noun), open.required_n);
+}
+
+std::string reason_in_metric(const NotTested& not_tested, const JudgedMetric& judged, std::string_view noun) {
+  if (not_tested.reason != NotTestedReason::not_comparable) return reason_text(not_tested, noun);
+  std::string reason = reason_text(not_tested, noun);
+  for (const Warning& warning : judged.samples.warnings) {
+    if (warning.kind == WarningKind::times_not_comparable) reason = warning.detail;
+    if (warning.kind == WarningKind::time_limit_decides) reason = "the time limit stopped solves " + warning.detail;
+  }
+  return reason;
 }
 
 std::string warning_sentence(const Warning& warning) {

@@ -45,6 +45,10 @@ ReasonTexts reason_words(judge::NotTestedReason why);
 // Returns why a pair is not tested. For samples that are too small the text has numbers of `noun`: "8 runs, at least 10
 // needed".
 std::string reason_text(const judge::NotTested& open, std::string_view noun);
+// Returns the same, and for a pair that is not comparable the reason that the metric's warnings give: "the machine was
+// busy".
+std::string reason_in_metric(const judge::NotTested& not_tested, const judge::JudgedMetric& judged,
+                             std::string_view noun);
 // Returns a warning as a sentence with a full stop. The first letter becomes a capital, except in a solver's name.
 std::string warning_sentence(const judge::Warning& warning);
 // Returns the unit of a comparison's estimate: "ratio", "points", or the metric's unit. Empty without an estimate.

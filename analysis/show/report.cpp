@@ -131,9 +131,8 @@ std::vector<Table> setup_tables(const Report& report) {
   const std::size_t metrics = report.model.named_metrics;
   if (!tests.empty())
     add(of_study, "significance",
-        fmt::format("{} per metric, Bonferroni over its pairs{}; equivalence margin {}",
-                    number_text(decisive.plan.significance),
-                    metrics == 1 ? "" : fmt::format(" and the {} metrics that the plan names", metrics),
+        fmt::format("{} for all pairs{} (Bonferroni); equivalence margin {}", number_text(decisive.plan.significance),
+                    metrics == 1 ? "" : fmt::format(" of the {} metrics that the plan names", metrics),
                     margin_text(decisive)));
   for (const char* fact : {"cpu", "os", "compiler", "build_type", "version", "commit", "jobs", "date"})
     add(machine, with_spaces(fact), listed_of(environment_values(study, fact)));

@@ -242,7 +242,7 @@ std::string marks_note(const ReportModel& model, const CellKinds& kinds) {
     });
   };
   const AnalysisPlan& plan = model.primary().plan;
-  const bool is_corrected = model.order.size() > 2 || model.named_metrics > 1;
+  const bool is_corrected = model.order.size() > 2 || model.named_metrics > 1 || !model.verdict.empty();
   const std::string tests =
       fmt::format(" (p < {}{}{})", number_text(plan.significance), is_corrected ? ", corrected" : "",
                   std::ranges::any_of(model.metrics, has_exact_differences) ? ", or deterministic" : "");
@@ -332,9 +332,10 @@ Cell n_cell(const Comparison& comparison) {
   return {};
 }
 
-// Returns "yes" for a tested difference below the margin; empty for other pairs.
+// Returns "yes" for a pair that is the same, or whose tested difference is below the margin; empty for other pairs.
 Cell within_margin_cell(const TestResult* tested) {
-  const bool is_within = tested && is_difference(tested->verdict) && tested->is_below_margin;
+  const bool is_within =
+      tested && (tested->verdict == Verdict::equivalent || (is_difference(tested->verdict) && tested->is_below_margin));
   return text_cell(is_within ? "yes" : "");
 }
 

@@ -38,7 +38,7 @@ std::string_view predicate(Holds conclusion) {
       return "holds in part";
     case Holds::fails:
       return "fails";
-    case Holds::undecided:
+    case Holds::inconclusive:
       return "is inconclusive";
     case Holds::not_tested:
       return "is not tested";
@@ -51,7 +51,7 @@ std::string first_sentence(Holds conclusion, const std::vector<SeedCounts>& coun
   const JudgedClaim* const other = claim_named(claims, "best_compromise_50");
   const std::string by = other != nullptr && other->holds == conclusion ? " with 20 and with 50 agents" : "";
   const auto open = std::ranges::count_if(
-      claims, [](const JudgedClaim& claim) { return !claim.is_ours && claim.holds == Holds::undecided; });
+      claims, [](const JudgedClaim& claim) { return !claim.is_ours && claim.holds == Holds::inconclusive; });
   std::string besides;
   if (open > 0)
     besides =

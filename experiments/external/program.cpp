@@ -108,9 +108,11 @@ std::unique_ptr<ChildProcess> launch(const ProgramSpec& choice, const fs::path& 
   } catch (const ProcessFailure& failure) {
     const std::string end = child->end_after(failure.kind);
     if (failure.kind != ProcessFailure::Kind::timed_out) throw ProcessFailure{failure.kind, failure.why + end};
-    throw ProcessFailure{failure.kind,
-                         fmt::format("it sent no hello within {:g} s ({}); to wait longer, raise timeout_s{}", timeout,
-                                     failure.why, end)};
+    throw ProcessFailure{
+        failure.kind,
+        fmt::format("it sent no hello within {:g} s ({}); to wait longer, give a longer timeout: timeout_s in a study, "
+                    "--timeout of check-solver{}",
+                    timeout, failure.why, end)};
   }
   return child;
 }

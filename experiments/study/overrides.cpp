@@ -102,7 +102,8 @@ void set_in_entries(toml::table& study, const TypedOverride& typed, const std::s
       const std::set<std::string> own = settings_of(solver);
       if (is_of_all ? own.contains(field) : owner == label || owner == solver) {
         const bool is_of_entry = field == population_key || field == "colour" || field == "memory_mb" ||
-                                 field == "timeout_s" || field == "batch" || !renaming(field, {"timeout_s"}).empty();
+                                 field == "timeout_s" || field == "batch" ||
+                                 field == "patience_s";  // whose reader names the new key
         insert(is_of_entry ? *entry : subtable(*entry, "options", typed.option), field, typed.value, typed.option);
         is_known = true;
       }

@@ -19,8 +19,10 @@ TEST_CASE("a message about an unknown name quotes it, suggests one and lists all
         "unknown solver \"ik_bta\"; did you mean \"ik_bat\"? There are: ik_bat, bat");
   CHECK(unknown_name("solver", std::string(100000, 'x'), {"bat"}).size() < 200);
   CHECK(unknown_name("key", "then", {"metric", "tie_breakers"}) == "then is now called tie_breakers");
-  CHECK(did_you_mean("hot", {"first", "warm"}) == "; hot is now called warm");
-  CHECK(contains(unknown_name("key", "turns", {"radius_cm"}), "unknown key"));  // of a circle
+  CHECK(renaming("hot", {"first", "warm"}) == "hot is now called warm");
+  CHECK(unknown_name("label", "then", {"A", "tie_breakers"}).starts_with("unknown label"));  // a user's own
+  CHECK(did_you_mean("turns", {"rounds"}).empty());                                          // a column, perhaps
+  CHECK(contains(unknown_name("key", "turns", {"radius_cm"}), "unknown key"));               // of a circle
 }
 
 TEST_CASE("a text is cut between characters", "[names]") {

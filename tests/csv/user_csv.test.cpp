@@ -402,7 +402,7 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
   CHECK(std::isinf(comparison_of(differences, blocks).interval->low));
   CHECK(comparison_of(with_infinite(2, 2), rows, "5%").verdict == Verdict::inconclusive);
   const MetricSamples samples = samples_of(with_infinite(0, 3), rows);
-  CHECK(warning_text(samples.warnings.front()) == "3 of 20 values are no answers (B)");
+  CHECK(warning_text(samples.warnings.front()) == "3 of 20 values are infinite, which means no answer (B)");
   CHECK(is_not_tested(judge::compare_pairs(samples, {.test = AnalysisPlan::Test::means}).front(),
                       NotTestedReason::infinite_values));
   CHECK(std::isinf(describe(samples.groups[1]).mean));

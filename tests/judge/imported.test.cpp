@@ -51,11 +51,11 @@ TEST_CASE("Beside a study, shares are compared where no time ended a solve, and 
     return std::ranges::count_if(warnings, [&](const Warning& warning) { return warning_text(warning) == words; });
   };
   CHECK(says(times.warnings,
-             "times of early, late, mine (there) are not compared: solved on another machine, 11/2026") == 1);
+             "times of early, late and mine (there) are not compared: solved on another machine, 11/2026") == 1);
   CHECK(
       says(
           solved.warnings,
-          "late is not compared: the time limit stopped 10 of 60 solves (solved on another machine, 11/2026)") ==
+          "late is not compared: the time limit stopped 10 of 60 solves on another machine, 11/2026") ==
       1);
 }
 

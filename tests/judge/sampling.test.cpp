@@ -534,7 +534,7 @@ TEST_CASE("A usual study has no doubts, and every kind has a line of at most 25 
     CHECK(count > 4);
     CHECK(count <= 25);
   }
-  CHECK(warning_text({.kind = WarningKind::limit_violations, .solvers = {"A", "B", "C", "D"}}).find("A, B, C, D") !=
+  CHECK(warning_text({.kind = WarningKind::limit_violations, .solvers = {"A", "B", "C", "D"}}).find("A, B, C and D") !=
         std::string::npos);
   CHECK(warning_text(
             {.kind = WarningKind::times_not_comparable, .solvers = {"mine"}, .detail = "the machine was busy"}) ==

@@ -38,7 +38,7 @@ TEST_CASE("a claim fails where one is worse, and is not decided where none is sh
   });
   for (const char* id : {"most_accurate", "least_variation", "best_compromise", "least_spread", "solvers_differ"}) {
     INFO(id);
-    CHECK(holds(repeated(equal), id) == Holds::undecided);
+    CHECK(holds(repeated(equal), id) == Holds::inconclusive);
   }
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("an answer that is none decides nothing for its solver", "[papers]") {
   const JudgedStudy lost = study_of({}, [](SolveRecord& solve) {
     if (solve.label == "DE" && solve.run == 1) solve.position_error_cm = unknown;
   });
-  CHECK(holds(repeated(lost), "most_accurate") == Holds::undecided);
+  CHECK(holds(repeated(lost), "most_accurate") == Holds::inconclusive);
 }
 
 TEST_CASE("another solver's numbers come from a companion where the claim says so", "[papers]") {
@@ -196,8 +196,8 @@ TEST_CASE("a rate is as printed where the two shares do not differ, by the targe
   CHECK(contains(text(with_program), "0.338 ms"));
   CHECK(contains(text(with_program), "TRAC-IK: 10000 poses per arm by its version, it, today."));
   const JudgedStudy few = share(10, "abb_irb120", 30);  // 33.3 % (19 to 51) and 100 % (89 to 100)
-  CHECK(holds(repeated(few), "rate-KDL") == Holds::undecided);
-  CHECK(holds(repeated(few), "rate-KDL-RR") == Holds::undecided);
+  CHECK(holds(repeated(few), "rate-KDL") == Holds::inconclusive);
+  CHECK(holds(repeated(few), "rate-KDL-RR") == Holds::inconclusive);
   CHECK(rates_sentences(repeated(few))[0] == "All rates of README 1.4.6 are inconclusive for KDL and KDL-RR.");
   CHECK(contains(text(repeated(few)), "39.41 ?"));
   CHECK(contains(text(repeated(few)), "number: ? is too wide"));
@@ -252,15 +252,15 @@ TEST_CASE("printed columns of means are compared as they are, and counts to one 
 
 TEST_CASE("the tally of pairs and of parts", "[papers]") {
   CHECK(holds_of(Tally{.better = 2}) == Holds::holds);
-  CHECK(holds_of(Tally{.better = 2, .open = 1}) == Holds::undecided);
+  CHECK(holds_of(Tally{.better = 2, .open = 1}) == Holds::inconclusive);
   CHECK(holds_of(Tally{.better = 2, .worse = 1}) == Holds::fails);
-  CHECK(holds_of(Tally{.open = 1, .untested = 1}) == Holds::undecided);
+  CHECK(holds_of(Tally{.open = 1, .untested = 1}) == Holds::inconclusive);
   CHECK(holds_of(Tally{.untested = 1}) == Holds::not_tested);
-  CHECK(holds_of(Tally{.better = 1, .untested = 1}) == Holds::undecided);
-  CHECK(holds_of(std::vector{Holds::holds, Holds::fails, Holds::undecided}) == Holds::in_part);
-  CHECK(holds_of(std::vector{Holds::holds, Holds::undecided}) == Holds::undecided);
-  CHECK(holds_of(std::vector{Holds::undecided, Holds::fails}) == Holds::undecided);
-  CHECK(holds_of(std::vector{Holds::undecided, Holds::not_tested}) == Holds::undecided);
+  CHECK(holds_of(Tally{.better = 1, .untested = 1}) == Holds::inconclusive);
+  CHECK(holds_of(std::vector{Holds::holds, Holds::fails, Holds::inconclusive}) == Holds::in_part);
+  CHECK(holds_of(std::vector{Holds::holds, Holds::inconclusive}) == Holds::inconclusive);
+  CHECK(holds_of(std::vector{Holds::inconclusive, Holds::fails}) == Holds::inconclusive);
+  CHECK(holds_of(std::vector{Holds::inconclusive, Holds::not_tested}) == Holds::inconclusive);
   CHECK(holds_of(std::vector{Holds::not_tested}) == Holds::not_tested);
 }
 

@@ -148,6 +148,6 @@ TEST_CASE("a headline says who wins, over whom, and what is unsure", "[show]") {
   add("stats, one inconclusive",
       of_file({{"B", values_around(138, 0.5)}, {"A", values_around(140, 0.5)}, {"placebo", values_around(300, 0.5)}},
               false));
-  add("too few", of_file({{"NPK", {4.08, 4.1}}, {"N", {3.87, 3.9}}, {"none", {2.44, 2.5}}}, true));
+  add("stats, too few", of_file({{"NPK", {4.08, 4.1}}, {"N", {3.87, 3.9}}, {"none", {2.44, 2.5}}}, true));
   check_golden("headline-table.txt", all);
 }

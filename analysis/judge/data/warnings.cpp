@@ -160,17 +160,18 @@ bool reports_no_times(Solves solves) {
   return 10 * std::ranges::count_if(solves, has_no_own_time) > std::ssize(solves);
 }
 
-// Returns why a time limit gave solvers different chances, whatever each solver did; empty if the chances were equal.
-std::string reason_against_limits(const StudyResults& study) {
-  if (std::string reason = unusable_timing(study); !reason.empty()) return reason;
+// Returns the circumstances in which a time limit gave solvers different chances, whatever each solver did: "on several
+// machines"; empty if the chances were equal.
+std::string unequal_circumstances(const StudyResults& study) {
+  if (std::string timing = unusable_timing(study); !timing.empty()) return fmt::format("({})", timing);
   // Machines differ if their processors do, or both name and start: a machine that starts again keeps its name, and
   // containers on a machine have names of their own.
   const auto differ = [&](const char* fact) { return environment_values(study, fact).size() > 1; };
-  if (differ("cpu") || (differ("host") && differ("boot"))) return "several machines";
+  if (differ("cpu") || (differ("host") && differ("boot"))) return "on several machines";
   const std::vector<std::set<int>> sessions = session_sets(study).all;
   std::set<std::set<int>> different(sessions.begin(), sessions.end());
   different.erase(std::set<int>());  // a solver without solves has no session
-  return different.size() > 1 ? "measured in different sessions" : "";
+  return different.size() > 1 ? "in different sessions" : "";
 }
 
 // Returns whether more than a tenth of the solves, and more than one, were preempted.
@@ -208,21 +209,21 @@ std::vector<Warning> time_warnings(const StudyResults& study) {
 std::vector<Warning> clock_warnings(const StudyResults& study) {
   const double limit = study.definition.stop.seconds;
   if (limit == 0) return {};
-  const std::string reason = reason_against_limits(study);
+  const std::string circumstances = unequal_circumstances(study);
   // The limit is lowered by a tenth, because external solvers stop a little before the limit.
   const auto is_ended = [&](const SolveSummary& solve) { return solve.seconds >= 0.9 * limit; };
   const auto add_for = [&](Warnings& warnings, bool is_imported, const std::string& detail) {
     add_counts(warnings, study, {.kind = WarningKind::time_limit_decides, .detail = detail},
                [&](const std::string& solver) {
                  const Solves solves = study.of(solver);
-                 const bool decides = is_imported || !reason.empty() || is_disturbed(solves);
+                 const bool decides = is_imported || !circumstances.empty() || is_disturbed(solves);
                  const bool is_counted = decides && study.imported.has(solver) == is_imported;
                  return std::pair(is_counted ? std::ranges::count_if(solves, is_ended) : 0, std::ssize(solves));
                });
   };
   Warnings warnings;
-  add_for(warnings, false, reason.empty() ? "the machine was busy" : reason);
-  add_for(warnings, true, "solved " + study.imported.origin);
+  add_for(warnings, false, circumstances.empty() ? "while the machine was busy" : circumstances);
+  add_for(warnings, true, study.imported.origin);
   return warnings;
 }
 
@@ -267,36 +268,37 @@ std::string warning_text(const Warning& warning) {
       "{share} {what}{of_whom}",
       "{solves} made by another version {was} ignored ({who})",
       "{share} solves of {who} reported a wrong error and count as failed",
-      "{who} {are} not compared: the time limit stopped {share} solves ({what}{to_do})",
+      "{who} {are} not compared: the time limit stopped {share} solves {what}{to_do}",
       "{what} ({who})",
       "evaluations of {who} are not compared: ikbench cannot count them",
       "{share} answers of {who} violate joint limits",
       "{share} {what}{of_whom}",
       "times{of_who} are not compared: {what}{to_do}",
       "{share} targets per run are unreachable: no solver can solve them",
-      "{who} {are} not tested: all {count} values are equal, or rounding removed their spread",
+      "{who} {are} not tested in {what}: all {count} values are equal, or rounding removed their spread",
       "a few values dominate the {what} of {who}: {its} pairs are inconclusive",
       "{first} ranks better than {last} although its {what} is worse",
       "leaving rows out may favour {who}: {what} of the values are missing, depending on the group",
-      "{who} have the same value in every block, as if one measurement had been copied"};
+      "{who} each have one value in all blocks, as if one measurement had been copied"};
   std::string_view sentence = sentences[static_cast<std::size_t>(warning.kind)];
   if (warning.kind == WarningKind::deterministic && warning.detail.empty())
     sentence = "{who} {are} deterministic: {its} equal runs count as one observation";
-  const std::string names = names_of(warning.solvers, ", "),
+  const std::string names = names_of(warning.solvers),
                     share = fmt::format("{:.0f} of {:.0f}", warning.count, warning.total);
   const bool is_one = warning.solvers.size() == 1;
   const auto if_any = [&](const char* before, const char* after) {
     return names.empty() ? "" : before + names + after;
   };
-  return fmt::format(fmt::runtime(sentence), fmt::arg("who", names), fmt::arg("of_whom", if_any(" (", ")")),
-                     fmt::arg("of_who", if_any(" of ", "")), fmt::arg("share", share), fmt::arg("what", warning.detail),
-                     fmt::arg("are", is_one ? "is" : "are"), fmt::arg("its", is_one ? "its" : "their"),
-                     fmt::arg("was", warning.count == 1 ? "was" : "were"),
-                     fmt::arg("to_do", warning.detail == "the machine was busy" ? "; rerun with --out NEW" : ""),
-                     fmt::arg("count", std::llround(warning.count)),
-                     fmt::arg("solves", counted(std::llround(warning.count), "solves")),
-                     fmt::arg("first", names.empty() ? names : warning.solvers.front()),
-                     fmt::arg("last", names.empty() ? names : warning.solvers.back()));
+  return fmt::format(
+      fmt::runtime(sentence), fmt::arg("who", names), fmt::arg("of_whom", if_any(" (", ")")),
+      fmt::arg("of_who", if_any(" of ", "")), fmt::arg("share", share), fmt::arg("what", warning.detail),
+      fmt::arg("are", is_one ? "is" : "are"), fmt::arg("its", is_one ? "its" : "their"),
+      fmt::arg("was", warning.count == 1 ? "was" : "were"),
+      fmt::arg("to_do", warning.detail.ends_with("the machine was busy") ? "; rerun with --out NEW" : ""),
+      fmt::arg("count", std::llround(warning.count)),
+      fmt::arg("solves", counted(std::llround(warning.count), "solves")),
+      fmt::arg("first", names.empty() ? names : warning.solvers.front()),
+      fmt::arg("last", names.empty() ? names : warning.solvers.back()));
 }
 
 }  // namespace ikbench::judge
