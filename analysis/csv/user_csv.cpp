@@ -153,6 +153,15 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
   throw question;
 }
 
+// Refuses a --better that says neither, before any question that would repeat it in its commands.
+void refuse_wrong_directions(const Sheet& sheet, const Request& request) {
+  for (const std::string_view option : request.better) {
+    const std::string_view direction = option.substr(option.rfind('=') + 1);
+    if (direction != "smaller" && direction != "larger")
+      sheet.refuse(fmt::format("--better {}; expected smaller, larger or COLUMN=larger", in_quotes(option)));
+  }
+}
+
 // Returns for each title whether smaller or larger is better. Asks if the user did not say so, because neither names
 // nor numbers say so.
 std::vector<Better> better_of(const Sheet& sheet, const Request& request, const std::vector<std::string>& titles) {
@@ -160,8 +169,6 @@ std::vector<Better> better_of(const Sheet& sheet, const Request& request, const 
   for (const std::string_view option : request.better) {
     const std::size_t at = option.rfind('=') + 1;  // 0: for all columns
     const std::string_view direction = option.substr(at), column = option.substr(0, at > 0 ? at - 1 : 0);
-    if (direction != "smaller" && direction != "larger")
-      sheet.refuse(fmt::format("--better {}; expected smaller, larger or COLUMN=larger", in_quotes(option)));
     if (!column.empty() && std::ranges::count(titles, column) == 0)
       sheet.refuse(
           fmt::format("--better {}: {}", in_quotes(option), base::unknown_name("column of values", column, titles)));
@@ -531,6 +538,7 @@ const char* margin_error(const MarginText& margin, const MetricSamples& samples,
 
 Quantities read(std::string_view text, std::string_view source, const Request& request) {
   Sheet sheet(text, source, request.decimal);
+  refuse_wrong_directions(sheet, request);
   return request.are_summaries ? summaries_in(sheet, request) : values_in(sheet, request);
 }
 

@@ -797,3 +797,8 @@ TEST_CASE("of a million rows a run's are one value") {
   for (int i = 0; i < 1'000'000; ++i) text += fmt::format("{};{};{},5\n", i % 2 ? "A" : "B", i / 20, i % 1000);
   CHECK(list_of(samples_of(text, {.run = "seed"}).groups.front()).size() == 50'000);
 }
+
+TEST_CASE("a wrong direction is refused before any other question", "[csv]") {
+  CHECK_THROWS_WITH(csv::read("a,b\n1,2\n3,4\n", "wide.csv", {.better = {"bigger"}}),
+                    ContainsSubstring("expected smaller, larger"));
+}
