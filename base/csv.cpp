@@ -25,7 +25,7 @@ class Reader {
   Reader(std::string_view text, std::string_view source, const CsvForm& form,
          std::vector<std::unique_ptr<const std::string>>& unquoted)
       : rest_(text), source_(source), separator_(form.separator), unquoted_(unquoted), line_(form.first_line) {
-    if (text.size() > max_csv_bytes) refuse(fmt::format("{} bytes; expected at most {}", text.size(), max_csv_bytes));
+    if (text.size() > form.max_bytes) refuse(fmt::format("{} bytes; expected at most {}", text.size(), form.max_bytes));
     take(byte_order_mark);
   }
 

@@ -24,6 +24,7 @@ struct CsvForm {
   std::size_t first_line = 1;  // number of the text's first line in its file
   bool has_header = true;      // false: columns are named "1", "2" ...
   bool is_ours = true;         // false: rules and comments may follow the header
+  std::size_t max_bytes = max_csv_bytes;
 };
 
 // A table in memory, also with millions of rows. Cells are views of the text, which has to outlive the table. Quoted

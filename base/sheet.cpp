@@ -155,7 +155,7 @@ Title::Title(std::string_view title) : name(title) {
   unit = end;
 }
 
-Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Header header)
+Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Header header, std::size_t max_bytes)
     : source_(source), decimal_(decimal) {
   expect_text(text, source);
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
@@ -163,7 +163,7 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
   const bool has_sep = text.substr(text.starts_with('"')).starts_with(sep) && text.find('\n') < sep.size() + 5;
   const char said = has_sep ? text[text.find(sep) + sep.size()] : '\0';
   if (has_sep) text.remove_prefix(text.find('\n') + 1);
-  CsvForm form{.first_line = 1 + has_sep + take_comments(text), .is_ours = false};
+  CsvForm form{.first_line = 1 + has_sep + take_comments(text), .is_ours = false, .max_bytes = max_bytes};
   form.separator = separator_ = has_sep ? said : separator_of(text);
   if (const std::string_view line = trimmed(text.substr(0, text.find('\n')));
       line.starts_with('\\') || line.ends_with('\\'))

@@ -35,7 +35,8 @@ class Sheet {
   // `optional`: if the first line has only numbers, columns are named "1", "2" ...
   enum class Header { required, optional };
   // Reads the table. `decimal` is the mark of decimals; 0: it is found. The text has to outlive the sheet.
-  Sheet(std::string_view text, std::string_view source, char decimal, Header header = Header::required);
+  Sheet(std::string_view text, std::string_view source, char decimal, Header header = Header::required,
+        std::size_t max_bytes = max_csv_bytes);
 
   // Keeps only the rows with this value in this column, "metric=error". Returns the column.
   std::size_t choose(std::string_view condition);
@@ -45,7 +46,8 @@ class Sheet {
   const std::vector<std::string>& titles() const { return titles_; }
   // Rows with at least one text. Spreadsheets leave empty rows.
   const std::vector<std::uint32_t>& rows() const { return rows_; }
-  std::string_view cell(std::size_t row, std::size_t column) const;  // without blanks at both ends
+  std::string_view cell(std::size_t row, std::size_t column) const;     // without blanks at both ends
+  std::size_t line(std::size_t row) const { return table_.line(row); }  // line where the row begins, from 1
 
   // Returns the column of this name. If the file has no column `row`, that name gives a new column with the number of
   // each row.

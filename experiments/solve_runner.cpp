@@ -17,6 +17,7 @@
 #include "base/names.hpp"
 #include "base/units.hpp"
 #include "experiments/environment.hpp"
+#include "experiments/external/answers.hpp"
 #include "results/export.hpp"
 
 namespace ikbench::experiments {
@@ -70,6 +71,7 @@ class SolveContext {
 thread_local const SolveContext* SolveContext::current = nullptr;
 
 Timing timing_of(const SolverEntry& entry, int jobs) {
+  if (entry.answers) return Timing::elsewhere;
   if (entry.program && entry.program->choice.batch > 0) return Timing::batch;
   if (is_debug_build()) return Timing::debug_build;
   if (jobs > 1) return Timing::parallel;
@@ -79,7 +81,7 @@ Timing timing_of(const SolverEntry& entry, int jobs) {
 // Returns why a solve ended. A program that ends by itself may have been told that its budget is used up.
 StopReason stop_reason_of(const Solution& solution, const std::optional<ProcessReport>& report) {
   if (!report) return solution.stopped;
-  if (report->failure) return *report->failure == Status::timed_out ? StopReason::time : StopReason::finished;
+  if (report->failure) return *report->failure == Status::timed_out ? StopReason::time : report->stopped;
   return solution.stopped == StopReason::finished ? report->stopped : solution.stopped;
 }
 
@@ -110,6 +112,7 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, std::stri
 
 std::unique_ptr<Solver> SolveRunner::make_solver() const {
   if (processes_) return std::make_unique<ExternalSolver>(*processes_, study_.stop);
+  if (entry_.answers) return std::make_unique<GivenSolver>(*entry_.answers, study_.stop);
   return solver_info(entry_).make(options_);
 }
 
@@ -140,6 +143,8 @@ SolveRunner::TimedSolve SolveRunner::solve_timed(Solver& solver, const SolveRequ
                     .with(static_cast<std::uint64_t>(run))
                     .with(static_cast<std::uint64_t>(point)));
   auto* const program = processes_ ? static_cast<ExternalSolver*>(&solver) : nullptr;
+  auto* const given = entry_.answers ? static_cast<GivenSolver*>(&solver) : nullptr;
+  if (given != nullptr) given->select(run, point);
   const auto prepared = std::chrono::steady_clock::now();
   if (program != nullptr) program->prepare(problem, objective);
   TimedSolve timed;
@@ -161,6 +166,11 @@ SolveRunner::TimedSolve SolveRunner::solve_timed(Solver& solver, const SolveRequ
     throw std::runtime_error(context.message(error.what()));
   } catch (...) {
     throw std::runtime_error(context.message("the solver throws something that is not a std::exception"));
+  }
+  if (given != nullptr) {
+    timed.seconds = given->seconds();
+    timed.report = given->report();
+    timed.all_answers = given->all_answers();
   }
   if (program == nullptr) return timed;
   const ProcessReport& report = timed.report.emplace(program->report());
@@ -249,7 +259,7 @@ SolveRecord SolveRunner::make_record(const SolveRequest& call, const TimedSolve&
       .stop_reason = stop_reason_of(solution, made.report),
       .status = status,
       .seconds = report != nullptr ? credible_report(*report).value_or(made.seconds) : made.seconds,
-      .wall_seconds = made.seconds,
+      .wall_seconds = timing_ == Timing::elsewhere ? std::numeric_limits<double>::quiet_NaN() : made.seconds,
       .cpu_seconds = made.cpu_seconds,
       .timing = timing_,
       .batch_size = report != nullptr ? report->batch_size : 1,
@@ -257,6 +267,7 @@ SolveRecord SolveRunner::make_record(const SolveRequest& call, const TimedSolve&
       .limit_violation_m = verified.limit_violation_m,
       .counted_by = counted_by_of(made.report, is_counted),
       .restarts = solution.restarts,
+      .all_answers_rad = made.all_answers,
       .extras = made.extras};
   if (arm_stays(status) && report != nullptr && !report->failure) {  // otherwise the program's answer would be lost
     for (int j = 0; j < arm_.joints(); ++j) record.extras[fmt::format("{}{}", refused_prefix, j + 1)] = made.answer[j];
@@ -287,7 +298,7 @@ Status SolveRunner::status_of(const TimedSolve& timed, const Verification& verif
 // Programs and libraries stop by themselves, so they may exceed their budget. On a busy machine they wait, so the
 // smaller of wall and processor time counts.
 bool SolveRunner::missed_deadline(const TimedSolve& timed) const {
-  if (!entry_.program && solver_info(entry_).library.empty()) return false;
+  if (!timed.report && solver_info(entry_).library.empty()) return false;
   if (timed.report && timed.report->ignored_budget) return true;
   const double seconds =
       timed.report ? credible_seconds(*timed.report, timed.seconds) : std::min(timed.seconds, timed.cpu_seconds);

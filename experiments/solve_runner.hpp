@@ -75,9 +75,10 @@ class SolveRunner {
     solvers::Solution solution = {};
     Configuration answer = {};                 // [rad, m], all joints
     double seconds = 0;                        // [s], to solve and to complete the answer
-    std::optional<ProcessReport> report = {};  // of a program
+    std::optional<ProcessReport> report = {};  // of a program, or of a file of answers
     double cpu_seconds = 0;                    // [s], of the program, otherwise of this thread
     std::map<std::string, double> extras = {};
+    std::vector<double> all_answers = {};  // [rad, m], of a file that has several
   };
   TimedSolve solve_timed(solvers::Solver& solver, const SolveRequest& call) const;
   results::SolveRecord make_record(const SolveRequest& call, const TimedSolve& made, results::Status status,

@@ -83,7 +83,7 @@ void expect(const char* column, const SolveRecord& solve, double stored, double 
 enum class SolverKind {
   built_in,     // stopped after each iteration
   single_call,  // a library or a user's class, of which a step is one call
-  program       // counts its own iterations
+  program       // counts its own iterations, or was run elsewhere
 };
 
 // Returns the entry of a built-in solver with these `options`, which are those of the series; nothing for others. A
@@ -112,7 +112,8 @@ std::optional<SolverEntry> built_in(const Series& series, const Json& options) {
 SolverKind kind_of(const Series& series) {
   const Json options = parsed_json(series.options);
   if (built_in(series, options)) return SolverKind::built_in;
-  return options.contains("process") ? SolverKind::program : SolverKind::single_call;
+  const bool is_external = options.contains("process") || options.contains("answers");
+  return is_external ? SolverKind::program : SolverKind::single_call;
 }
 
 // Returns true if a solver of this kind can have used as much as the solve did.

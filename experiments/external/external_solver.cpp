@@ -115,6 +115,28 @@ double credible_seconds(const ProcessReport& report, double wall) {
   return std::isnan(reported) ? wall : std::max(reported, min_credible_seconds(report.cpu_seconds));
 }
 
+Configuration nearest_answer(const Candidates& answers, const Problem& problem, Objective& objective,
+                             const StopRule& stop) {
+  const JointLimits limits{problem.lower, problem.upper};
+  const bool has_direction = objective.goal().has_direction();
+  Configuration nearest = answers.col(0);
+  double nearest_distance = std::numeric_limits<double>::infinity();
+  int right = 0;
+  for (const Configuration q : answers.colwise()) {
+    if (!(limits.violation(q) <= 1e-9)) continue;
+    const Deviation error = objective.deviation(q);
+    if (error.position <= stop.tolerance && (!has_direction || error.angle <= stop.angle_tolerance)) ++right;
+    const double distance = (q - problem.start).norm();
+    if (distance < nearest_distance) {
+      nearest = q;
+      nearest_distance = distance;
+    }
+  }
+  objective.note("answers", static_cast<double>(answers.cols()));
+  if (stop.tolerance > 0) objective.note("answers_right", right);
+  return nearest;
+}
+
 WorkerProcess ProcessPool::acquire() {
   const std::scoped_lock lock(mutex_);
   if (idle_.empty()) return {};
@@ -332,32 +354,10 @@ Configuration ExternalSolver::answer_in(const Message& message, const Exchange& 
     exchange.objective.note(name, value);
   }
   const int joints = exchange.problem.joints();
-  if (message.has("answers")) return select_answer(message.candidates(joints, "answers"), exchange);
+  if (message.has("answers"))
+    return nearest_answer(message.candidates(joints, "answers"), exchange.problem, exchange.objective, stop_);
   if (message.has("q") || exchange.best.q.size() == 0) return message.joints(joints);
   return exchange.best.q;
-}
-
-// Returns the answer inside the limits that is nearest to the start, or the first answer if none is inside. Notes the
-// number of answers, and how many of them are right.
-Configuration ExternalSolver::select_answer(const Candidates& answers, const Exchange& exchange) const {
-  const JointLimits limits{exchange.problem.lower, exchange.problem.upper};
-  const bool has_direction = exchange.objective.goal().has_direction();
-  Configuration nearest = answers.col(0);
-  double nearest_distance = std::numeric_limits<double>::infinity();
-  int right = 0;
-  for (const Configuration q : answers.colwise()) {
-    if (!(limits.violation(q) <= 1e-9)) continue;
-    const Deviation error = exchange.objective.deviation(q);
-    if (error.position <= stop_.tolerance && (!has_direction || error.angle <= stop_.angle_tolerance)) ++right;
-    const double distance = (q - exchange.problem.start).norm();
-    if (distance < nearest_distance) {
-      nearest = q;
-      nearest_distance = distance;
-    }
-  }
-  exchange.objective.note("answers", static_cast<double>(answers.cols()));
-  if (stop_.tolerance > 0) exchange.objective.note("answers_right", right);
-  return nearest;
 }
 
 // Returns true if the evaluations made here explain the answer: the answer is one of the candidates, and so few

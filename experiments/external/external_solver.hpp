@@ -89,6 +89,11 @@ class ProcessPool {
   std::vector<WorkerProcess> idle_;
 };
 
+// Returns the answer inside the limits that is nearest to the start, or the first answer if none is inside. Notes the
+// number of answers, and how many of them are right. `answers` must have at least one column.
+robots::Configuration nearest_answer(const robots::Candidates& answers, const solvers::Problem& problem,
+                                     solvers::Objective& objective, const solvers::StopRule& stop);
+
 // A program as a solver, which solvers::solve drives like any other; `start` is the whole exchange of messages. If the
 // program fails, the error is infinite.
 class ExternalSolver final : public solvers::Searcher {
@@ -135,7 +140,6 @@ class ExternalSolver final : public solvers::Searcher {
   // Returns the answer, and notes the extras of the message. Without an answer, the best candidate that was evaluated
   // is returned.
   robots::Configuration answer_in(const Message& message, const Exchange& exchange);
-  robots::Configuration select_answer(const robots::Candidates& answers, const Exchange& exchange) const;
   bool explains_answer(const Exchange& exchange) const;
   // Sets the evaluations to those counted here if these explain the answer, otherwise to the self-reported ones.
   // `reported` is -1 if the program reports none.

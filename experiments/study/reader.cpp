@@ -12,6 +12,7 @@
 #include "base/inputs.hpp"
 #include "base/names.hpp"
 #include "base/toml_table.hpp"
+#include "experiments/external/answers.hpp"
 #include "experiments/external/program.hpp"
 #include "experiments/study/reader_internal.hpp"
 #include "experiments/study/study_fields.hpp"
@@ -224,6 +225,19 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
             "or no rotation_weight_m");
 }
 
+// Checks answers that were made elsewhere against the study's targets.
+void check_answers(const Study& study, const Robot& arm) {
+  for (const SolverEntry& entry : study.solvers)
+    if (entry.answers) require_targets(*entry.answers, study, arm);
+}
+
+// Returns the labels that the study's file has, also of solvers whose answers are not there yet.
+std::vector<std::string> labels_in_file(const Study& study) {
+  std::vector<std::string> labels = labels_of(study);
+  for (const AwaitedSolver& awaited : study.awaited) labels.push_back(awaited.label);
+  return labels;
+}
+
 // Drops a control that a sweep splits, or that is not solved.
 void drop_lost_control(Study& study) {
   std::string& control = study.plan.control;
@@ -316,7 +330,7 @@ void read_plan(const TomlReader& analysis, Study& study) {
   const std::string& control = study.plan.control;
   const bool is_swept = std::ranges::find(study.solvers, control, &SolverEntry::sweep_base) != study.solvers.end();
   if (!control.empty() && !is_swept)
-    refuse_unknown(analysis, {.key = "control", .kind = "label", .name = control}, labels_of(study));
+    refuse_unknown(analysis, {.key = "control", .kind = "label", .name = control}, labels_in_file(study));
   drop_lost_control(study);
 }
 
@@ -340,9 +354,13 @@ Study read_study(const toml::table& table, std::string_view source, const ArmOfS
   read_requirements(reader.part("require"), study);
   read_style(figures, study.figures);
   for (const std::string& label : study.figures.solvers)
-    refuse_unknown(figures, {.key = "solvers", .kind = "label", .name = label}, labels_of(study));
+    refuse_unknown(figures, {.key = "solvers", .kind = "label", .name = label}, labels_in_file(study));
+  std::erase_if(study.figures.solvers, [&](const std::string& label) {
+    return std::ranges::count(study.awaited, label, &AwaitedSolver::label) > 0;
+  });
   reader.refuse_unknown_keys();
   check_study(reader, study, arm);
+  check_answers(study, arm);
   return study;
 }
 
@@ -440,6 +458,7 @@ void select_solvers(Study& study, const std::vector<std::string>& lists) {
         take(entry.label);
         take(entry.sweep_base);
       }
+      for (const AwaitedSolver& awaited : study.awaited) take(awaited.label);
       const std::vector<std::string> meant =
           longest.empty() ? labels_like(study, rest.substr(0, rest.find(','))) : std::vector{longest};
       rest.erase(0, longest.empty() ? std::min(rest.find(','), rest.size() - 1) + 1 : longest.size() + 1);
@@ -449,6 +468,7 @@ void select_solvers(Study& study, const std::vector<std::string>& lists) {
   std::erase_if(study.solvers, [&](const SolverEntry& entry) {
     return !labels.contains(entry.label) && !labels.contains(entry.sweep_base);
   });
+  std::erase_if(study.awaited, [&](const AwaitedSolver& awaited) { return !labels.contains(awaited.label); });
   std::erase_if(study.figures.solvers, [kept = labels_of(study)](const std::string& label) {
     return std::ranges::find(kept, label) == kept.end();
   });

@@ -9,6 +9,7 @@
 
 #include "base/json.hpp"
 #include "experiments/environment.hpp"
+#include "experiments/external/answers.hpp"
 #include "experiments/external/program.hpp"
 #include "experiments/study/study_fields.hpp"
 #include "experiments/study/written_fields.hpp"
@@ -74,8 +75,8 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
   }
   // This binding does not compile with a new field of SolverEntry. Options and population enter as they are in effect,
   // whether a sweep chose them or not.
-  [[maybe_unused]] const auto& [label, solver, options, population, program, if_missing, custom, colour, sweep_base] =
-      entry;
+  [[maybe_unused]] const auto& [label, solver, options, population, program, if_missing, custom, answers, colour,
+                                sweep_base] = entry;
   text += fmt::format("\nsolver {} label {}", solver, label);
   if (program) text += fields_by_name(program->choice, ProgramSpec{}, "program.");
   Settings in_effect = effective_options(study, entry);
@@ -94,6 +95,7 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
 
 std::string source_digest_of(const SolverEntry& entry) {
   if (entry.program) return entry.program->digest;
+  if (entry.answers) return entry.answers->digest;
   return entry.custom ? file_digest(executable_path()) : solver_source_digest(entry.solver);
 }
 
@@ -118,6 +120,8 @@ std::vector<Series> series_of(const Study& study) {
     if (entry.program) {
       options["process"] = fmt::format("{}", fmt::join(entry.program->choice.process, " "));
       if (entry.program->choice.batch > 0) options["batch"] = static_cast<double>(entry.program->choice.batch);
+    } else if (entry.answers) {
+      options["answers"] = entry.answers->file;
     } else if (const SolverInfo& info = solver_info(entry); info.use) {
       info.use(options);
     }

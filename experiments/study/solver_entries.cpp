@@ -10,6 +10,7 @@
 #include "base/json.hpp"
 #include "base/names.hpp"
 #include "base/number.hpp"
+#include "experiments/external/answers.hpp"
 #include "experiments/external/program.hpp"
 #include "experiments/study/reader_internal.hpp"
 #include "experiments/task.hpp"
@@ -34,22 +35,41 @@ void skip_if_allowed(TomlReader& entry, const std::string& what, const std::stri
   throw skipped;
 }
 
-// Reads the kind of an entry: a built-in solver or a program. Throws SkippedSolver if the entry may be left out, and
-// its program does not start or this program was built without its library.
-void read_kind(TomlReader& reader, SolverEntry& entry) {
+// Reads the answers of an entry that were made elsewhere. Throws AwaitedSolver if there is no such file, or
+// SkippedSolver if the entry may be left out.
+void read_given(TomlReader& reader, SolverEntry& entry, const Robot& arm) {
+  constexpr std::string_view key = "answers";
+  std::string name;
+  reader.text(key, name, "");
+  entry.solver = elsewhere;
+  const std::filesystem::path folder = base_folder(reader, key);
+  entry.answers = with_key_context(reader, key, [&] { return read_answers(name, folder, arm); });
+  if (entry.answers) return;
+  const std::string file = (folder / name).string();
+  skip_if_allowed(reader, std::string(elsewhere), fmt::format("there is no file {}", file));
+  AwaitedSolver awaited{.label = std::string(elsewhere), .file = file};
+  reader.text("label", awaited.label);
+  throw awaited;
+}
+
+// Reads the kind of an entry: a built-in solver, a program, or answers. Throws SkippedSolver if the entry may be left
+// out, and its program does not start or this program was built without its library; throws as read_given.
+void read_kind(TomlReader& reader, SolverEntry& entry, const Robot& arm) {
   reader.text("solver", entry.solver);
-  const bool is_program = reader.find("process") != nullptr;
-  if (is_program == (reader.find("solver") != nullptr)) {
-    throw std::invalid_argument(reader.where(reader.table().source(), "solver") +
-                                (is_program
-                                     ? "a [[solvers]] has a `process` and a `solver`; expected one of them"
-                                     : "a [[solvers]] has no `solver` and no `process`; see: ikbench list solvers"));
+  const bool is_program = reader.find("process") != nullptr, is_given = reader.find("answers") != nullptr;
+  const bool is_built_in = reader.find("solver") != nullptr;
+  if (is_program + is_given + is_built_in != 1) {
+    throw std::invalid_argument(
+        reader.where(reader.table().source(), "solver") +
+        (is_program || is_given ? "a [[solvers]] has two of `solver`, `process` and `answers`; expected one of them"
+                                : "a [[solvers]] has no `solver`, `process` or `answers`; see: ikbench list solvers"));
   }
   if (is_program) {
     entry.program = read_program(reader, true);
     entry.solver = entry.program->hello.name;
     return;
   }
+  if (is_given) return read_given(reader, entry, arm);
   for (const MissingPeer& peer : missing_peers()) {
     if (peer.name == entry.solver) skip_if_allowed(reader, entry.solver, peer.how);
   }
@@ -163,10 +183,22 @@ void check_program(const TomlReader& at_entry, const SolverEntry& entry, const S
     throw at_entry.mistake("batch", "each solve starts at the previous answer; expected another start");
 }
 
+// Refuses answers that were made elsewhere in a study whose targets or joints no other solver can know.
+void check_given(const TomlReader& at_entry, const Study& study) {
+  if (study.is_chained())
+    throw at_entry.mistake("answers",
+                           "start is \"previous\", so that each target begins at the answer before; expected "
+                           "another start, such as \"middle\"");
+  if (study.search == Search::wrist || study.search == Search::flange)
+    throw at_entry.mistake("answers",
+                           "answers have all joints; expected search = \"pose\", \"axis\" or \"all_joints\"");
+}
+
 // Checks an entry against the study. `at_entry` names the label before its keys.
 void check_entry(const TomlReader& reader, const TomlReader& at_entry, const SolverEntry& entry, const Study& study,
                  const Robot& arm) {
   if (entry.program) return check_program(at_entry, entry, study);
+  if (entry.answers) return check_given(at_entry, study);
   const SolverInfo info = solver(entry.solver);
   if (const std::string why = info.why_not(arm.chain, goal_kind(study.search)); !why.empty())
     throw at_entry.mistake("solver", why);
@@ -184,9 +216,9 @@ void check_entry(const TomlReader& reader, const TomlReader& at_entry, const Sol
 }
 
 // Reads an entry. A setting that has a list of values makes one entry per combination, as "IK-BA population=20".
-std::vector<SolverEntry> read_entry(TomlReader reader) {
+std::vector<SolverEntry> read_entry(TomlReader reader, const Robot& arm) {
   SolverEntry entry;
-  read_kind(reader, entry);
+  read_kind(reader, entry, arm);
   entry.label = entry.solver;
   reader.text("label", entry.label);
   if (entry.label.empty() || entry.label.front() == ' ' || entry.label.back() == ' ')
@@ -226,25 +258,31 @@ std::shared_ptr<const Program> read_program(TomlReader& reader, bool is_of_entry
 void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
   constexpr std::string_view key = "solvers", expected = "1 to 400 tables [[solvers]] with solver = \"...\"";
   std::set<std::string> labels;
+  const auto take_label = [&](const std::string& label, const toml::table& table) {
+    if (labels.insert(label).second) return;
+    throw std::invalid_argument(
+        fmt::format("{}label \"{}\" is used twice; expected a different label for each of [[solvers]]",
+                    reader.where(table.source(), key), label));
+  };
   for (const toml::table* const table : reader.tables(key, max_solvers, expected)) {
     std::vector<SolverEntry> entries;
     try {
-      entries = read_entry(reader.nested(*table, "solvers."));
+      entries = read_entry(reader.nested(*table, "solvers."), arm);
     } catch (const SkippedSolver& skipped) {
       study.skipped.push_back(skipped);
+    } catch (const AwaitedSolver& awaited) {
+      take_label(awaited.label, *table);
+      check_given(reader.nested(*table, awaited.label + "."), study);
+      study.awaited.push_back(awaited);
     }
     for (SolverEntry& entry : entries) {
-      if (!labels.insert(entry.label).second) {
-        throw std::invalid_argument(
-            fmt::format("{}label \"{}\" is used twice; expected a different label for each of [[solvers]]",
-                        reader.where(table->source(), key), entry.label));
-      }
+      take_label(entry.label, *table);
       check_entry(reader, reader.nested(*table, entry.label + "."), entry, study, arm);
       if (study.solvers.size() == max_solvers) throw reader.mistake(key, "the entries make " + too_many_solvers);
       study.solvers.push_back(std::move(entry));
     }
   }
-  if (study.solvers.empty()) reader.fail(key, *reader.find(key), expected);
+  if (study.solvers.empty() && study.awaited.empty()) reader.fail(key, *reader.find(key), expected);
 }
 
 }  // namespace ikbench::experiments

@@ -60,7 +60,21 @@ Configuration joint_units(const Chain& arm) {
   return units;
 }
 
-const SolverInfo& solver_info(const SolverEntry& entry) { return entry.custom ? *entry.custom : solver(entry.solver); }
+const SolverInfo& solver_info(const SolverEntry& entry) {
+  static const SolverInfo of_answers{.name = std::string(elsewhere),
+                                     .summary = "answers that were made elsewhere",
+                                     .source = "",
+                                     .is_counted = false,
+                                     .why_not = [](const Chain&, GoalKind) { return std::string(); },
+                                     .make = {},
+                                     .describe =
+                                         [](const std::function<void(OptionList&)>& visit) {
+                                           OptionList none;
+                                           visit(none);
+                                         }};
+  if (entry.answers) return of_answers;
+  return entry.custom ? *entry.custom : solver(entry.solver);
+}
 
 Settings entry_options(const SolverEntry& entry, const Settings& settings) {
   return entry.program ? resolved_options(entry.program->hello, settings) : solver_info(entry).options(settings);

@@ -21,7 +21,8 @@ namespace ikbench::experiments {
 using results::LimitPolicy, results::Search, results::Start, results::BoundsPolicy, results::WristBranch,
     results::WristTurns, results::WrapPolicy;
 
-struct Program;  // external/program.hpp
+struct Program;       // external/program.hpp
+struct GivenAnswers;  // external/answers.hpp
 
 // The treatment of a solver whose library this program was built without, or of a program that does not start.
 enum class IfMissing {
@@ -40,9 +41,13 @@ struct SolverEntry {
   // A solver that a user of these libraries defines, named `solver`; null: a registered solver. The file of the running
   // program counts as the source of such a solver, so after any change of the program everything is solved again.
   std::shared_ptr<const solvers::SolverInfo> custom = {};
-  std::string colour = {};      // in figures; empty: the default of the solver
-  std::string sweep_base = {};  // label of the swept entry that made this entry; empty: none
+  std::shared_ptr<const GivenAnswers> answers = {};  // made elsewhere; null: the solver runs here
+  std::string colour = {};                           // in figures; empty: the default of the solver
+  std::string sweep_base = {};                       // label of the swept entry that made this entry; empty: none
 };
+
+// The name of the solver of every entry whose answers were made elsewhere.
+constexpr std::string_view elsewhere = "elsewhere";
 
 // Returns the solver of an entry. The entry must not be of a program. Throws std::invalid_argument for an unknown name.
 const solvers::SolverInfo& solver_info(const SolverEntry& entry);
@@ -51,6 +56,12 @@ const solvers::SolverInfo& solver_info(const SolverEntry& entry);
 struct SkippedSolver {
   std::string label;
   std::string reason;  // "not built: ..."
+};
+
+// A solver whose answers are made elsewhere and are not there yet.
+struct AwaitedSolver {
+  std::string label;
+  std::string file;  // where the study looks for the answers
 };
 
 // A study with all that is made of its settings: the arm, the path, the solvers.
@@ -63,6 +74,7 @@ struct Study : results::StudySpec {
   std::vector<SolverEntry> solvers;
   std::shared_ptr<const Program> checker;  // the check of answers that reached their target; null: none
   std::vector<SkippedSolver> skipped;      // solvers that were left out
+  std::vector<AwaitedSolver> awaited;      // solvers that the study is read without
   std::vector<std::string> notes;          // sentences on settings that were not taken as they stand
 };
 

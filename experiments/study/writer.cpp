@@ -11,6 +11,7 @@
 
 #include "base/json.hpp"
 #include "base/toml_table.hpp"
+#include "experiments/external/answers.hpp"
 #include "experiments/external/program.hpp"
 #include "experiments/study/reader.hpp"
 #include "experiments/study/series_key.hpp"
@@ -76,6 +77,8 @@ OrderedJson entry_definition(const SolverEntry& entry) {
   OrderedJson json = {{"label", entry.label}};
   if (entry.program)
     json.update(program_json(entry.program->choice));
+  else if (entry.answers)
+    json["answers"] = entry.answers->file;
   else
     json["solver"] = entry.solver;
   if (entry.population > 0) json["population"] = entry.population;
@@ -224,6 +227,8 @@ std::string lines_of_entry(const SolverEntry& entry) {
   if (entry.program) {
     ProgramSpec choice = entry.program->choice;
     text += lines_of(written_fields(choice));
+  } else if (entry.answers) {
+    text += line("answers", toml_string(entry.answers->file), "made elsewhere: run, point and a column per joint");
   } else {
     text += line("solver", toml_string(entry.solver), "options and ranges: ikbench list solvers " + entry.solver);
   }
@@ -282,6 +287,8 @@ std::string to_toml(const Study& study) {
   }
   for (const SkippedSolver& skipped : study.skipped)
     text += fmt::format("\n# left out: {} is {}\n", skipped.label, skipped.reason);
+  for (const AwaitedSolver& awaited : study.awaited)
+    text += fmt::format("\n# left out: {} has no answers yet, {}\n", awaited.label, awaited.file);
   for (const SolverEntry& entry : study.solvers) text += "\n[[solvers]]\n" + lines_of_entry(entry);
   return text;
 }
