@@ -16,7 +16,9 @@
 
 #include "base/json.hpp"
 #include "base/names.hpp"
+#include "experiments/diagnosis.hpp"
 #include "experiments/environment.hpp"
+#include "experiments/external/answers.hpp"
 #include "experiments/external/external_solver.hpp"
 #include "experiments/solve_runner.hpp"
 #include "experiments/stored_checks.hpp"
@@ -379,6 +381,18 @@ std::vector<std::string> record_anomalies(const StudyWork& work, Anomalies& anom
   return sentences;
 }
 
+// Adds what is wrong with answers that were made elsewhere, by the key of their series.
+void add_answer_facts(const StudyWork& work, std::map<std::string, std::string>& facts) {
+  for (std::size_t s = 0; s < work.solve_runners.size(); ++s) {
+    const SolverEntry& entry = work.study.solvers[s];
+    if (!entry.answers) continue;
+    const AnswersReport report = report_on(*entry.answers, work.study, work.arm);
+    const std::string& key = work.solve_runners[s].key();
+    if (!report.cause.empty()) facts[cause_fact + key] = report.cause;
+    if (!report.facts.empty()) facts[answers_fact + key] = report.facts;
+  }
+}
+
 // Returns the facts that each session of a run has, by name.
 std::map<std::string, std::string> session_facts(const StudyWork& work, const RunRequest& request) {
   std::map<std::string, std::string> facts = environment();
@@ -387,6 +401,7 @@ std::map<std::string, std::string> session_facts(const StudyWork& work, const Ru
     if (const std::string library = library_name(entry); !library.empty()) facts["library." + entry.solver] = library;
   }
   for (const SkippedSolver& skipped : work.study.skipped) facts["left_out." + skipped.label] = skipped.reason;
+  add_answer_facts(work, facts);
   facts["jobs"] = std::to_string(request.jobs);
   facts["command"] = request.command;
   if (request.shard.count > 1) facts["shard"] = request.shard.text();

@@ -70,6 +70,10 @@ constexpr std::string_view name_of(Enum value) {
   return names_of(value)[static_cast<std::size_t>(value)];
 }
 
+// The beginnings of the names of facts of a session that are about the answers of a series, whose key follows: why they
+// miss their targets, and other sentences on a file of answers.
+inline const std::string cause_fact = "cause.", answers_fact = "answers.";
+
 // The key of a series is CONFIGURATION@SOURCE: a hash of what the study asks for, and a hash of the code that solved
 // it.
 constexpr char source_separator = '@';

@@ -28,7 +28,9 @@ std::string reason_against(const MetricSamples& samples, const std::string& solv
     const bool is_named = warning.solvers.empty() || std::ranges::count(warning.solvers, solver) > 0;
     if (is_named && warning.kind == WarningKind::time_limit_decides)
       return "the time limit stopped solves " + warning.detail;
-    if (is_named && warning.kind == WarningKind::times_not_comparable) return warning.detail;
+    const bool has_reason =
+        warning.kind == WarningKind::times_not_comparable || warning.kind == WarningKind::budget_not_known;
+    if (is_named && has_reason) return warning.detail;
   }
   return "its share is not comparable";
 }

@@ -85,11 +85,14 @@ struct PageWriter {
 std::string lead_section(const std::string& title, const Blocks& blocks, const PageWriter& write,
                          const std::string& contents, std::string_view stage) {
   std::string head, body;
+  bool has_headline = false;
   for (const Block& block : blocks) {
-    if (const auto* heading = std::get_if<Heading>(&block); heading && head.empty())
-      head = fmt::format("<p class=\"note\">{}</p>\n<h1>{}</h1>\n", html_text(title), html_text(heading->text));
-    else
+    if (const auto* heading = std::get_if<Heading>(&block); heading && !has_headline) {
+      head += fmt::format("<p class=\"note\">{}</p>\n<h1>{}</h1>\n", html_text(title), html_text(heading->text));
+      has_headline = true;
+    } else {
       (std::holds_alternative<std::string>(block) && body.empty() ? head : body) += std::visit(write, block);
+    }
   }
   return fmt::format("<header>\n{}{}<div class=\"answer\">\n<div>\n{}</div>\n{}</div>\n</header>\n", head, contents,
                      body, stage);

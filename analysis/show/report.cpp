@@ -145,7 +145,9 @@ std::vector<Blocks> report_sections(const Report& report) {
   std::vector<std::string> warnings;
   for (const Warning& warning : report.model.all_warnings()) warnings.push_back(warning_sentence(warning));
   if (report.lead.empty()) {
-    sections[0] = {Heading{headline(report.model)}};
+    for (const Warning& warning : report.model.warnings)  // above the verdict, which these make void
+      if (warning.kind == WarningKind::wrong_answers) sections[0].emplace_back(warning_sentence(warning));
+    sections[0].emplace_back(Heading{headline(report.model)});
     for (const std::string& sentence : requirement_sentences(report.model)) sections[0].emplace_back(sentence);
     if (is_of_study) sections[0].emplace_back(report.model.study_text);
     Table results = results_table(report.model);

@@ -74,11 +74,20 @@ std::string warnings_text(const ReportModel& model, const NameShortener& shorten
   for (std::size_t i = 0; i < warnings.size(); ++i) {
     const WarningKind kind = warnings[i].kind;
     const bool is_first = i == 0 || warnings[i - 1].kind != kind;
-    if (has_page && !is_first) continue;
+    if (kind == WarningKind::wrong_answers || (has_page && !is_first)) continue;
     const auto alike = std::ranges::count(warnings, kind, &Warning::kind);
     const std::string more = has_page && alike > 1 ? fmt::format("; {} more on the page", alike - 1) : "";
     text += wrapped_paragraph("! " + shortener.text(warning_text(warnings[i])) + more, "  ");
   }
+  return text;
+}
+
+// Returns the known causes of wrong answers, which stand above the verdict because they make it void.
+std::string causes_text(const ReportModel& model, const NameShortener& shortener) {
+  std::string text;
+  for (const Warning& warning : model.warnings)
+    if (warning.kind == WarningKind::wrong_answers)
+      text += wrapped_paragraph("! " + shortener.text(warning_text(warning)), "  ");
   return text;
 }
 
@@ -92,7 +101,8 @@ std::string terminal_report(const ReportModel& model, const std::string& page) {
   const std::string more_solvers = shorten_table(table, reference);
   const std::string notes = notes_text(table, model);
   table.notes.clear();
-  std::string text = wrapped_paragraph(shortener.text(headline(model)), "");
+  std::string text = causes_text(model, shortener);
+  text += wrapped_paragraph(shortener.text(headline(model)), "");
   for (const std::string& sentence : requirement_sentences(model))
     text += wrapped_paragraph(shortener.text(sentence), "  ");
   text += '\n';

@@ -214,7 +214,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   const auto one_slow = [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = solve.run == 1 ? 9 : 1; };
   CHECK(compared(times(study(chained, one_slow)), {}).front().why ==
         ResultKind::tested);  // though other logarithms are 0
-  for (const Timing timing : {Timing::parallel, Timing::debug_build, Timing::elsewhere}) {
+  for (const Timing timing : {Timing::parallel, Timing::debug_build}) {
     const MetricSamples all = times(study(chained, [&](SolveRecord& solve) {
       if (solve.label == "A") solve.timing = timing;
     }));
@@ -315,6 +315,65 @@ TEST_CASE("What a program tells is its time, if its processor time leaves room f
             .front() == Approx(std::log(0.01)));
   CHECK(apart(reported(0.02, 0.02, 0.02)) == "B");   // it reports nothing that can be believed
   CHECK(apart(reported(0.01, 0.02, 0.005)) == "B");  // it waited
+}
+
+TEST_CASE("answers made elsewhere have self-reported times or none, and change nothing of the others") {
+  const Asked to_solve{.start = "middle", .targets = "drawn", .tolerance_cm = 1};
+  const auto made = [&](double seconds, double limit) {
+    StudyResults of = study(to_solve,
+                            [&](SolveRecord& solve) {
+                              solve.status = Status::ok;
+                              if (solve.label != "C") return;
+                              solve.timing = Timing::elsewhere;
+                              solve.counted_by = CountedBy::none;
+                              solve.seconds = seconds;
+                              solve.wall_seconds = unknown;
+                              solve.session = 3;  // read in another session than the others
+                            },
+                            {"A", "B", "C"});
+    of.definition.stop.seconds = limit;
+    of.definition.plan.deadline = limit;
+    return of;
+  };
+  const auto apart = [](const MetricSamples& samples) {
+    std::string names;
+    for (const Group& each : samples.groups) names += excluded(each) ? each.name : "";
+    return names;
+  };
+  for (const double seconds : {0.001, unknown}) {
+    const StudyResults free = made(seconds, 0);
+    CHECK(apart(make_samples(free, metric_named("seconds"))) == "C");
+    CHECK(apart(make_samples(free, metric_named("seconds_per_success"))) == "C");
+    CHECK(apart(make_samples(free, metric_named("solved"))).empty());
+  }
+  const MetricSamples timed = make_samples(made(0.001, 0), metric_named("seconds"));
+  CHECK(list_of(group(timed, "C")).front() == Approx(std::log(0.001)));  // shown
+  CHECK(list_of(group(make_samples(made(unknown, 0), metric_named("seconds")), "C")).empty());
+  CHECK(apart(make_samples(made(0.001, 1), metric_named("solved"))).empty());
+  CHECK(apart(make_samples(made(0.95, 1), metric_named("solved"))) == "C");  // the limit ended it on another machine
+  const MetricSamples no_budget = make_samples(made(unknown, 1), metric_named("solved"));
+  CHECK(apart(no_budget) == "C");
+  CHECK(list_of(group(no_budget, "C")).size() == 20);  // shown, and in no comparison
+  CHECK(clock_warnings(made(unknown, 0)).empty());
+  const MetricSamples in_time = make_samples(made(unknown, 1), metric_named("solved_in_time"));
+  CHECK(list_of(group(in_time, "C")).empty());
+}
+
+TEST_CASE("what was found about answers is told of the series that has them") {
+  std::vector<Session> sessions = sample_sessions(5);
+  sessions[0].environment[results::cause_fact + "A@1"] = "angles are in degrees";
+  sessions[0].environment[results::cause_fact + "A@2"] = "of a former file";
+  sessions[4].environment[results::answers_fact + "B@1"] = std::string(1000, 'x');
+  StudyResults of = study(chained, as_made, {"A", "B"}, sessions);
+  of.series[0].key = "A@1";
+  of.series[1].key = "B@1";
+  std::vector<std::string> told;
+  for (const Warning& warning : study_warnings(of))
+    if (warning.kind == WarningKind::wrong_answers || warning.kind == WarningKind::odd_answers)
+      told.push_back(warning_text(warning));
+  REQUIRE(told.size() == 2);
+  CHECK(told[0] == "A: angles are in degrees");
+  CHECK(told[1].size() < 500);
 }
 
 TEST_CASE("Times in batches are of no single call, and those of batches at once of none") {

@@ -36,7 +36,8 @@ double of_answer(const SolveSummary& solve, double value) {
 double is_in_time(const SolveSummary& solve, const StudyResults& study) {
   const double deadline = study.definition.deadline();
   const bool is_solved = study.definition.has_tolerance() ? solve.status == Status::ok : has_answer(solve);
-  return deadline == 0 ? unknown : double(is_solved && solve.seconds <= deadline);
+  const bool has_no_time = is_solved && solve.timing == Timing::elsewhere && std::isnan(solve.seconds);
+  return deadline == 0 || has_no_time ? unknown : double(is_solved && solve.seconds <= deadline);
 }
 
 constexpr std::array rows{

@@ -87,8 +87,10 @@ void require_valid_record(const SolveRecord& record, const StudyResults& study) 
         fmt::format("study '{}' has too many solves with a trace; expected at most {}", study.name, max_traces));
 }
 
-// Returns whether the time of a solve was reported by an external solver: the stored time is then not the wall time.
+// Returns whether the time of a solve was reported by an external solver: the stored time is then not the wall time, or
+// the solve was made elsewhere.
 bool is_self_timed(const SolveRecord& record) {
+  if (record.timing == Timing::elsewhere) return std::isfinite(record.seconds);
   return std::isfinite(record.wall_seconds) && record.seconds != record.wall_seconds;
 }
 
@@ -212,7 +214,7 @@ SessionSets session_sets(const StudyResults& study) {
   std::map<int, std::map<std::size_t, Counts>> sessions;  // counts by session and solver
   for (const SolveSummary& solve : study.solves) {
     const auto solver = static_cast<std::size_t>(solve.label);
-    if (study.imported.has(study.labels[solver])) continue;
+    if (study.imported.has(study.labels[solver]) || solve.timing == Timing::elsewhere) continue;
     Counts& counts = sessions[solve.session][solver];
     ++counts.solves;
     if (solve.was_preempted) ++counts.preempted;

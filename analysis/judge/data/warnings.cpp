@@ -49,15 +49,28 @@ void add(Warnings& warnings, const StudyResults& study, Warning warning, IsMeant
   });
 }
 
-// Returns why no time of a study can be compared: solves ran in parallel, elsewhere or in a debug build. Empty if
-// none was.
+// Returns why no time of a study can be compared: solves ran in parallel or in a debug build. Empty if none did.
 std::string unusable_timing(const StudyResults& study) {
   const auto is_any = [&](Timing timing) {
     return std::ranges::count(study.solves, timing, &SolveSummary::timing) > 0;
   };
   if (is_any(Timing::parallel)) return "solved in parallel";
-  if (is_any(Timing::elsewhere)) return "solved elsewhere";
   return is_any(Timing::debug_build) ? "a debug build" : "";
+}
+
+// Adds what `run` found about answers: the sentences of the last session that has one.
+void add_answer_warnings(Warnings& warnings, const StudyResults& study) {
+  constexpr std::size_t most = 400;  // bytes of a sentence, which a stranger's store may have
+  for (const auto& [kind, prefix] :
+       {std::pair(WarningKind::wrong_answers, cause_fact), {WarningKind::odd_answers, answers_fact}}) {
+    for (const Series& series : study.series) {
+      std::string sentence;
+      for (const Session& session : study.sessions)
+        if (const auto fact = session.environment.find(prefix + series.key); fact != session.environment.end())
+          sentence = one_line(front(fact->second, most));
+      if (!sentence.empty()) warnings.push_back({.kind = kind, .solvers = {series.label}, .detail = sentence});
+    }
+  }
 }
 
 // Returns the solvers that share fewer sessions than a test needs with the sessions that most solvers have.
@@ -160,6 +173,18 @@ bool reports_no_times(Solves solves) {
   return 10 * std::ranges::count_if(solves, has_no_own_time) > std::ssize(solves);
 }
 
+// Returns the solvers whose answers were made elsewhere, with or without times.
+std::vector<std::string> solved_elsewhere(const StudyResults& study, bool has_times) {
+  std::vector<std::string> solvers;
+  for (const std::string& solver : study.labels) {
+    const Solves solves = study.of(solver);
+    const auto is_timed = [](const SolveSummary& solve) { return std::isfinite(solve.seconds); };
+    const bool is_elsewhere = std::ranges::count(solves, Timing::elsewhere, &SolveSummary::timing) > 0;
+    if (is_elsewhere && std::ranges::any_of(solves, is_timed) == has_times) solvers.push_back(solver);
+  }
+  return solvers;
+}
+
 // Returns the circumstances in which a time limit gave solvers different chances, whatever each solver did: "on several
 // machines"; empty if the chances were equal.
 std::string unequal_circumstances(const StudyResults& study) {
@@ -193,6 +218,8 @@ std::vector<Warning> time_warnings(const StudyResults& study) {
     add(warnings, {.kind = WarningKind::times_not_comparable, .solvers = std::move(solvers), .detail = reason});
   };
   add_for(study.imported.labels, "solved " + study.imported.origin);
+  add_for(solved_elsewhere(study, true), "self-reported, solved elsewhere");
+  add_for(solved_elsewhere(study, false), "solved elsewhere, without times");
   std::vector<std::string> in_batches, silent;
   for (const auto& [solver, timing] : study.batch_timings) in_batches.push_back(solver);
   add_for(std::move(in_batches), "solved in batches");
@@ -212,18 +239,28 @@ std::vector<Warning> clock_warnings(const StudyResults& study) {
   const std::string circumstances = unequal_circumstances(study);
   // The limit is lowered by a tenth, because external solvers stop a little before the limit.
   const auto is_ended = [&](const SolveSummary& solve) { return solve.seconds >= 0.9 * limit; };
-  const auto add_for = [&](Warnings& warnings, bool is_imported, const std::string& detail) {
+  const std::vector<std::string> elsewhere = solved_elsewhere(study, true);
+  enum Place { here, imported, given };
+  const auto place_of = [&](const std::string& solver) {
+    if (study.imported.has(solver)) return imported;
+    return std::ranges::count(elsewhere, solver) > 0 ? given : here;
+  };
+  const auto add_for = [&](Warnings& warnings, Place place, const std::string& detail) {
     add_counts(warnings, study, {.kind = WarningKind::time_limit_decides, .detail = detail},
                [&](const std::string& solver) {
                  const Solves solves = study.of(solver);
-                 const bool decides = is_imported || !circumstances.empty() || is_disturbed(solves);
-                 const bool is_counted = decides && study.imported.has(solver) == is_imported;
+                 const bool decides = place != here || !circumstances.empty() || is_disturbed(solves);
+                 const bool is_counted = decides && place_of(solver) == place;
                  return std::pair(is_counted ? std::ranges::count_if(solves, is_ended) : 0, std::ssize(solves));
                });
   };
   Warnings warnings;
-  add_for(warnings, false, circumstances.empty() ? "while the machine was busy" : circumstances);
-  add_for(warnings, true, study.imported.origin);
+  add_for(warnings, here, circumstances.empty() ? "while the machine was busy" : circumstances);
+  add_for(warnings, imported, study.imported.origin);
+  add_for(warnings, given, "elsewhere");
+  add(warnings, {.kind = WarningKind::budget_not_known,
+                 .solvers = solved_elsewhere(study, false),
+                 .detail = "solved elsewhere without times, so the time limit may not have been kept"});
   return warnings;
 }
 
@@ -257,6 +294,7 @@ std::vector<Warning> study_warnings(const StudyResults& study) {
                          [&](const std::string& solver) { return is_deterministic(study, solver); });
   add(warnings, std::move(repeating));
   add(warnings, study.stale_solves);
+  add_answer_warnings(warnings, study);
   return warnings;
 }
 
@@ -279,7 +317,10 @@ std::string warning_text(const Warning& warning) {
       "a few values dominate the {what} of {who}: {its} pairs are inconclusive",
       "{first} ranks better than {last} although its {what} is worse",
       "leaving rows out may favour {who}: {what} of the values are missing, depending on the group",
-      "{who} each have one value in all blocks, as if one measurement had been copied"};
+      "{who} each have one value in all blocks, as if one measurement had been copied",
+      "{who}: {what}",
+      "{who}: {what}",
+      "{who} {are} not compared: {what}"};
   std::string_view sentence = sentences[static_cast<std::size_t>(warning.kind)];
   if (warning.kind == WarningKind::deterministic && warning.detail.empty())
     sentence = "{who} {are} deterministic: {its} equal runs count as one observation";

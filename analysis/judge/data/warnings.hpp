@@ -28,6 +28,9 @@ enum class WarningKind {
   ranks_disagree,          // a solver is better by ranks, but worse by its median or mean
   favoured_by_drop,        // rows of a file are left out, and solvers lack different shares of them
   may_be_one_measurement,  // every block of a file has the same values
+  wrong_answers,           // most answers of a solver miss their targets by one known cause
+  odd_answers,       // a file of answers has doubled rows, wrong answers beside right ones, or cells without a number
+  budget_not_known,  // answers made elsewhere have no times, so that a time limit may not have been kept
 };
 
 struct Warning {
