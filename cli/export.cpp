@@ -13,6 +13,7 @@
 #include "cli/console.hpp"
 #include "cli/options.hpp"
 #include "experiments/stored_checks.hpp"
+#include "experiments/targets.hpp"
 #include "results/fingerprint.hpp"
 #include "results/merge.hpp"
 #include "results/store.hpp"
@@ -49,13 +50,14 @@ void add_export(const Command& command, Invocation&) {
   command
       .add(
           "--format", &arguments->format,
-          "csv: one row per solve; fingerprint: a hash of all results except times; archive: one file with its seal, a "
-          "hash of all its content")
-      .one_of({"csv", "fingerprint", "archive"});
+          "csv: one row per solve; targets: one row per target, for solvers elsewhere; fingerprint: a hash of all results "
+          "except times; archive: one file with its seal, a hash of all its content")
+      .one_of({"csv", "targets", "fingerprint", "archive"});
   add_out_option(command, arguments->file, "file to write; - for standard output");
   command.footer(
       "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
       "  ikbench export out/slim2023/store.sqlite --format fingerprint\n"
+      "  ikbench export out/mine/store.sqlite --format targets > targets.csv\n"
       "  ikbench export out/mine/store.sqlite --format archive -o mine.sqlite\n"
       "Columns: ikbench list columns");
   command.callback([arguments] {
@@ -79,6 +81,11 @@ void add_export(const Command& command, Invocation&) {
       return write_out([&](const Write& write) {
         write(fmt::format("{}  {}  {}\n", found.text, found.solves, printable(study.name)));
       });
+    }
+    if (arguments->format == "targets") {
+      store.in_snapshot(
+          [&] { write_out([&](const Write& write) { experiments::write_targets(store, study, write); }); });
+      return;
     }
     store.in_snapshot([&] {
       const std::vector<std::string> extras = store.extra_names(study);

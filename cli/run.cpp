@@ -9,6 +9,7 @@
 
 #include "analysis/judge/data/imported.hpp"
 #include "analysis/judge/data/sampling.hpp"
+#include "base/files.hpp"
 #include "base/names.hpp"
 #include "cli/console.hpp"
 #include "cli/file_kind.hpp"
@@ -17,6 +18,7 @@
 #include "experiments/runner.hpp"
 #include "experiments/study/reader.hpp"
 #include "experiments/study/writer.hpp"
+#include "experiments/targets.hpp"
 
 namespace ikbench::cli {
 
@@ -120,6 +122,17 @@ Study study_of(const StudyToRun& arguments) {
   return study;
 }
 
+// Writes the targets of a study that waits for answers made elsewhere, and prints how to go on.
+void write_awaited_targets(const Study& study, const std::filesystem::path& folder, const std::string& command) {
+  if (study.awaited.empty()) return;
+  const std::filesystem::path file = folder / "targets.csv";
+  write_file(file, [&](const base::Write& write) { experiments::write_targets(study, write); });
+  for (const experiments::AwaitedSolver& awaited : study.awaited)
+    print_message(fmt::format("{} has no answers yet. Its targets are in {}; write its answers into {}, then:",
+                              awaited.label, file.string(), awaited.file));
+  print_command(command);
+}
+
 void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
   const Study study = study_of(arguments);
   const bool is_part = !arguments.shard.empty(), has_report = !arguments.without_report && !is_part;
@@ -131,6 +144,9 @@ void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
   std::filesystem::path folder = output_folder(study.name, arguments.run.out);
   if (arguments.run.out.empty() && is_part)
     folder = folder / "shards" / fmt::format("{}-of-{}", shard.index, shard.count);
+  write_awaited_targets(study, folder, invocation.command);
+  if (!study.awaited.empty()) invocation.exit_code = 5;
+  if (study.solvers.empty()) return;
   const StoredStudy stored = to_stored(study);
   const auto beside = imported_results(stored, arguments.report);
   const std::string solved =
@@ -139,8 +155,9 @@ void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
   if (!has_report && !arguments.report.is_json) fmt::print("{}\n", wrapped(solved));
   if (is_part || (!has_report && !arguments.report.is_json)) return;
   const Store store(store_path(folder), Store::Mode::read);
-  invocation.exit_code = has_report ? write_and_announce(store, stored, folder, arguments.report, beside)
-                                    : show_answer(store, stored, arguments.report, beside);
+  const int judged_code = has_report ? write_and_announce(store, stored, folder, arguments.report, beside)
+                                     : show_answer(store, stored, arguments.report, beside);
+  if (study.awaited.empty()) invocation.exit_code = judged_code;
 }
 
 }  // namespace
@@ -181,7 +198,8 @@ void add_run(const Command& command, Invocation& invocation) {
       "  ikbench run slim2023 --shard 3/12        one of twelve parts, then:\n"
       "  ikbench merge out/slim2023 out/slim2023/shards\n\n"
       "--shard shares out runs, or targets if no solve starts from the previous answer (start = \"previous\").\n"
-      "The same command again solves only what is missing. If the source of a solver changed, all its solves are repeated.");
+      "The same command again solves only what is missing. If the source of a solver changed, all its solves are repeated. "
+      "If a study waits for answers made elsewhere, targets.csv in the folder has its targets; the exit code is then 5.");
   command.callback([arguments, &invocation] {
     if (arguments->robot.empty() && is_arm(arguments->study)) std::swap(arguments->robot, arguments->study);
     run_and_report(*arguments, invocation);

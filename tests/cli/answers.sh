@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# Answers made elsewhere: targets go out, answers come back, are verified, and what is wrong with them stands above the verdict.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+cat >my.toml <<'END'
+name = "mine"
+robot = "ur5e"
+search = "pose"
+start = "middle"
+limits = "enforced"
+runs = 12
+[path]
+kind = "random"
+points = 1
+[stop]
+tolerance_cm = 0.001
+tolerance_deg = 0.001
+evaluations = 20000
+[[solvers]]
+label = "LM"
+solver = "levenberg_marquardt"
+[[solvers]]
+label = "MoveIt"
+answers = "moveit.csv"
+END
+
+# The file is missing: the others are solved, and the targets are in the folder of results alone.
+ends 5 run my.toml --out out --figures none
+has "$err" "out/targets.csv"
+has "$err" "moveit.csv"
+has "$err" "ikbench run my.toml --out out --figures none"
+has "$out" "LM"
+equal "files beside the study" "$(ls)" "$(printf 'my.toml\nout')"
+equal "solves of LM" "$(solves out/store.sqlite)" 12
+equal "targets" "$(head -n 1 out/targets.csv | cut -d, -f 1-11)" "run,point,target,x,y,z,qx,qy,qz,qw,start_joint_1"
+succeeds export out/store.sqlite --format targets
+cmp <("$program" export out/store.sqlite --format targets) out/targets.csv || fail "other targets from the store"
+ends 5 run my.toml --only MoveIt --out alone
+equal "files without other solvers" "$(ls alone)" targets.csv
+
+# answers EXPRESSION [FACTOR]: LM's own answers, as another program would write them: rows back to front, the joints `q` changed.
+answers() {
+  "$program" export out/store.sqlite >solves.csv
+  python3 - "$1" >moveit.csv <<'END'
+import csv, math, sys
+targets = {(row["run"], row["point"]): row["target"] for row in csv.DictReader(open("out/targets.csv"))}
+print("run;point;target;q1;q2;q3;q4;q5;q6;ms;note")
+for row in reversed([row for row in csv.DictReader(open("solves.csv")) if row["label"] == "LM"]):
+    q = eval(sys.argv[1], {"q": [float(row[f"answer_rad_{j + 1}"]) for j in range(6)], "math": math})
+    print(row["run"], row["point"], targets[row["run"], row["point"]], *q, 2.5, "x", sep=";")
+END
+}
+
+answers q
+succeeds run my.toml --out out --figures none
+is out MoveIt "12 ok"
+has "$out" "LM and MoveIt solved all 12 targets"
+has "$out" "self-reported"
+[[ $out != *" as long as "* ]] || fail "times of elsewhere are compared: $out"
+equal "times" "$(column out/store.sqlite seconds MoveIt | sort -u)" 0.0025
+succeeds verify out/store.sqlite
+succeeds run out/store.sqlite --out again --no-report # the file lies in this folder
+is again MoveIt "12 ok"
+
+# The cause of wrong answers is the first that is said; an edited file is read again, and its cause goes.
+answers '[math.degrees(x) for x in q]'
+succeeds run my.toml --out out --figures none
+equal "the first line" "$(head -n 1 .out)" "! MoveIt: angles are in degrees; expected radians"
+has "$(<out/report.html)" "angles are in degrees"
+succeeds run my.toml --out out --figures none --json
+json '"MoveIt: angles are in degrees; expected radians" in of["warnings"]'
+answers q
+succeeds run my.toml --out out --figures none
+has_no "$out" degrees
+
+# A target without a row has no answer. In a study with a time limit, answers without times are shown, and are in no comparison.
+sed -i 6,7d moveit.csv
+succeeds run my.toml --out out --figures none
+has "$out" "2 of 12 solves gave no answer (MoveIt)"
+equal "no row" "$(column out/store.sqlite stop_reason MoveIt | counted | head -n 1)" "2 gave_up"
+succeeds run my.toml --out limited --figures none --set stop.seconds=5
+has_no "$out" "MoveIt is not compared"
+cut -d';' -f 1-9 moveit.csv >without && mv without moveit.csv
+succeeds run my.toml --out limited --figures none --set stop.seconds=5
+has "$(tr -s '\n ' ' ' <.out)" "MoveIt is not compared: solved elsewhere without times"
+
+refused "start is \"previous\"" run my.toml --set start=previous --out chained
+refused "its target is" run my.toml --set seed=2 --out seeded
+[ ! -e seeded ] || fail "a refused study wrote a folder"
+rm moveit.csv
+mkfifo moveit.csv
+refused "not a regular file" run my.toml --out piped
