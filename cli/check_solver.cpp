@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "base/names.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"
+#include "experiments/diagnosis.hpp"
 #include "experiments/external/external_solver.hpp"
 #include "experiments/verifier.hpp"
 #include "solvers/registry.hpp"
@@ -189,6 +191,7 @@ class Checks {
     check_answer("a continuous joint", continuous);
     check_answer("a prismatic joint", prismatic);
     check_repeated(*chosen, second, first);
+    check_cause(program);
     if (program->hello.takes_batches) check_batch(*program, kind, first);
     check_budgets(unreachable);
     check_end(chosen->processes.acquire());
@@ -243,6 +246,24 @@ class Checks {
                                          usual_budget.tolerance, usual_budget.angle_tolerance, near);
     line(fmt::format("it reaches some of the {} poses that LM solves", solvable),
          reached == 0 && solvable > 0 ? seen : "", seen);
+  }
+
+  // Looks for one cause of wrong answers, among the goals that tell most of an answer.
+  void check_cause(const std::shared_ptr<const Program>& program) {
+    constexpr std::array<GoalKind, 3> kinds{GoalKind::pose, GoalKind::axis, GoalKind::position};
+    const auto kind = std::ranges::find_if(kinds, [&](GoalKind each) { return program->hello.solves(each); });
+    if (kind == kinds.end()) return;
+    CheckedProgram checked(program, arm_, *kind);
+    constexpr int poses = 20;
+    std::vector<experiments::AnsweredTarget> answers;
+    for (int number = 0; number < poses; ++number) {
+      const Attempt attempt = checked.solve_once(usual_budget, number);
+      if (attempt.report.failure || attempt.report.counted_by == CountedBy::ikbench || !attempt.q.allFinite()) continue;
+      answers.push_back({example_goal(arm_, *kind, 0, number).target, attempt.q});
+    }
+    const auto diagnosis = experiments::diagnose(
+        arm_, answers, {.kind = *kind, .position = usual_budget.tolerance, .angle = usual_budget.angle_tolerance});
+    if (diagnosis) line("its answers have no common fault", experiments::text_of(*diagnosis));
   }
 
   // A machine may be busy, so the best of a few attempts counts.

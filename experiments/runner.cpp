@@ -24,6 +24,7 @@
 #include "experiments/stored_checks.hpp"
 #include "experiments/study/series_key.hpp"
 #include "experiments/study/writer.hpp"
+#include "results/export.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::experiments {
@@ -393,6 +394,46 @@ void add_answer_facts(const StudyWork& work, std::map<std::string, std::string>&
   }
 }
 
+// Returns all joints of a program's answer; empty if the solve has none. A refused answer is among the extras.
+Configuration answer_of_program(const SolveRecord& solve) {
+  if (has_no_answer(solve.status) || solve.counted_by == CountedBy::ikbench) return {};
+  if (solve.status != Status::refused) return to_eigen(solve.answer_rad);
+  Configuration answer(std::ssize(solve.answer_rad));
+  for (Eigen::Index j = 0; j < answer.size(); ++j) {
+    const auto extra = solve.extras.find(fmt::format("{}{}", refused_prefix, j + 1));
+    if (extra == solve.extras.end()) return {};
+    answer[j] = extra->second;
+  }
+  return answer;
+}
+
+// Returns why the answers of a program with its own kinematics miss their targets; empty if no cause is known.
+std::string cause_of_program(const StudyWork& work, const std::string& key, const Store& store) {
+  constexpr std::size_t most = 2000;  // answers that are looked at
+  std::vector<AnsweredTarget> answers;
+  store.for_each_in_series(key, [&](const SolveRecord& solve) {
+    Configuration answer = answers.size() < most ? answer_of_program(solve) : Configuration();
+    if (answer.size() == 0 || !answer.allFinite()) return;
+    Pose target = Pose::Identity();
+    target.translation() = to_eigen(solve.target_position_m);
+    target.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(solve.target_rotation.data());
+    answers.push_back({target, std::move(answer)});
+  });
+  const auto diagnosis = diagnose(work.arm, answers, right_within(work.study));
+  return diagnosis ? text_of(*diagnosis) : "";
+}
+
+// Adds why programs miss their targets to the session, by the keys of their series.
+void record_causes(const StudyWork& work, Store& store, std::int64_t session) {
+  if (work.study.search == Search::wrist || work.study.search == Search::flange) return;
+  for (std::size_t s = 0; s < work.solve_runners.size(); ++s) {
+    if (!work.study.solvers[s].program) continue;
+    const std::string& key = work.solve_runners[s].key();
+    if (const std::string cause = cause_of_program(work, key, store); !cause.empty())
+      store.add_to_session(session, {{cause_fact + key, cause}});
+  }
+}
+
 // Returns the facts that each session of a run has, by name.
 std::map<std::string, std::string> session_facts(const StudyWork& work, const RunRequest& request) {
   std::map<std::string, std::string> facts = environment();
@@ -459,6 +500,7 @@ void solve_missing(StudyWork& work, const StoredStudy& stored, Store& store, con
     }
   }
   progress.anomalies = record_anomalies(work, anomalies, store, session);
+  record_causes(work, store, session);
 }
 
 // Throws std::invalid_argument if the store now has a study of that name that is not `ours`.

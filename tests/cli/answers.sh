@@ -90,3 +90,27 @@ refused "its target is" run my.toml --set seed=2 --out seeded
 rm moveit.csv
 mkfifo moveit.csv
 refused "not a regular file" run my.toml --out piped
+
+# A program with its own kinematics is told the cause, too: by `run` above the verdict, and by `check-solver`.
+sed 's/^    return q$/    return [q[1], q[0], *q[2:]]/' "$root/docs/examples/descent.py" >swapped.py
+cat >program.toml <<'END'
+robot = "ur5e"
+search = "all_joints"
+start = "middle"
+runs = 6
+[path]
+kind = "random"
+points = 1
+[stop]
+tolerance_cm = 0.01
+evaluations = 2000
+[[solvers]]
+label = "mine"
+process = ["python3", "swapped.py"]
+END
+export PYTHONPATH=$root/solvers/helpers
+succeeds run program.toml --figures none --out program
+has "$(head -n 2 .out)" "! mine: the joints are in another order: joints 1 to 6 stand as q2, q1, q3, q4, q5, q6"
+ends 1 check-solver -- python3 swapped.py
+has "$(tr -s '\n ' ' ' <.out)" "its answers have no common fault: the joints are in another order"
+ends 0 check-solver -- python3 "$root/docs/examples/descent.py"
