@@ -263,7 +263,7 @@ class Checks {
     }
     const auto diagnosis = experiments::diagnose(
         arm_, answers, {.kind = *kind, .position = usual_budget.tolerance, .angle = usual_budget.angle_tolerance});
-    if (diagnosis) line("its answers have no common fault", experiments::text_of(*diagnosis));
+    if (diagnosis) line("its answers have no common fault", experiments::diagnosis_text(*diagnosis));
   }
 
   // A machine may be busy, so the best of a few attempts counts.

@@ -295,7 +295,7 @@ std::optional<Diagnosis> diagnose(const Robot& arm, AnswerSpan answers, const Ri
   return std::nullopt;
 }
 
-std::string text_of(const Diagnosis& diagnosis) {
+std::string diagnosis_text(const Diagnosis& diagnosis) {
   switch (diagnosis.cause) {
     case Cause::degrees:
       return "angles are in degrees; expected radians";
@@ -328,7 +328,7 @@ AnswersReport report_on(const GivenAnswers& answers, const Study& study, const R
   const Examined found = examine(answers, study, {.arm = arm, .answers = {}, .right = right, .poses = {}});
   AnswersReport report{.cause = {}, .facts = facts_text(answers, found)};
   if (is_share(static_cast<std::ptrdiff_t>(found.right_targets), found.first.size(), enough_right)) return report;
-  if (const auto diagnosis = diagnose(arm, found.first, right)) report.cause = text_of(*diagnosis);
+  if (const auto diagnosis = diagnose(arm, found.first, right)) report.cause = diagnosis_text(*diagnosis);
   return report;
 }
 

@@ -52,7 +52,7 @@ RightWithin right_within(const Study& study);
 std::optional<Diagnosis> diagnose(const Robot& arm, std::span<const AnsweredTarget> answers, const RightWithin& right);
 
 // Returns the cause as a clause, such as "angles are in degrees, expected radians".
-std::string text_of(const Diagnosis& diagnosis);
+std::string diagnosis_text(const Diagnosis& diagnosis);
 
 // The sentences about a file of answers.
 struct AnswersReport {

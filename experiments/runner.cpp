@@ -420,7 +420,7 @@ std::string cause_of_program(const StudyWork& work, const std::string& key, cons
     answers.push_back({target, std::move(answer)});
   });
   const auto diagnosis = diagnose(work.arm, answers, right_within(work.study));
-  return diagnosis ? text_of(*diagnosis) : "";
+  return diagnosis ? diagnosis_text(*diagnosis) : "";
 }
 
 // Adds why programs miss their targets to the session, by the keys of their series.

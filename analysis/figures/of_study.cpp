@@ -324,7 +324,7 @@ struct PairLabels {
     const Comparison& pair = pairs.front();
     return IntervalRow{.label = fmt::format("{} {} {}", is_first_shared ? look.names.at(pair.first) : "…",
                                             sign(pairs.back()), is_second_shared ? look.names.at(pair.second) : "…"),
-                       .verdict = is_first_shared ? "the first:" : ""};
+                       .verdict = is_first_shared ? "the first is" : ""};
   }
 };
 

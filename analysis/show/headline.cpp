@@ -119,6 +119,24 @@ Ranking ranking_of(const std::vector<Statement>& statements) {
   return ranking;
 }
 
+// True for a statement about the solvers that no other is shown to beat.
+bool is_about_leaders(Kind kind) {
+  switch (kind) {
+    case Kind::no_comparison:
+    case Kind::best:
+    case Kind::equivalent:
+    case Kind::inconclusive:
+    case Kind::none_better:
+      return true;
+    case Kind::better:
+    case Kind::worse:
+    case Kind::not_tested:
+    case Kind::cyclic:
+      return false;
+  }
+  return false;
+}
+
 // True if the sentence of a second question names the best solvers.
 bool names_winner(const ReportModel& model, const HeadlineQuestion& question) {
   const PairIndex pairs(model.metrics[question.metric], question.solvers);
@@ -256,8 +274,8 @@ class QuestionTeller {
     return as_sentence(name) + (model_.time_limit.empty() ? "" : " within " + model_.time_limit);
   }
 
-  // Returns "88" or "0.42"; for the first solver also the quantity, and the whole or the unit: "solved 100 of 100
-  // targets".
+  // Call it in the order of the sentence. Returns "88" or "0.42"; for the first solver also the quantity, and the whole
+  // or the unit: "solved 100 of 100 targets".
   std::string number(const std::string& name) {
     if (!first_named_.empty()) return value_text(name, false);
     first_named_ = name;
@@ -353,7 +371,7 @@ class QuestionTeller {
 
   std::string clause(const Statement& statement) {
     const Names& solvers = statement.solvers;
-    if (is_solved(judged_) && statement.against.empty() && statement.kind <= Kind::none_better)
+    if (is_solved(judged_) && statement.against.empty() && is_about_leaders(statement.kind))
       return success_counts(statement);
     switch (statement.kind) {
       case Kind::no_comparison:
