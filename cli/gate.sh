@@ -40,8 +40,12 @@ solve() {
   echo "gate: this failed in round $i of ROUNDS=$rounds, run by $1" >&2
   ended failed $code
 }
+requirements=(--strict)
+while IFS=$' \t\r' read -r line; do [[ -z $line ]] || requirements+=(--require="$line"); done <<<"${REQUIRE:-}"
+required=0  # the exit code of the requirements, also of those in the study
 if [[ -z $old ]]; then
-  "$program" run "$study" --no-report --out="$out" || ended failed $?
+  text=$("$program" run "$study" --no-report --out="$out" "${requirements[@]}")
+  required=$?
 else  # who begins a round alternates
   [[ ! -e $out || -e $out/.in-turn ]] || refuse "OUT is $out, a folder that no call with OLD made; choose a new one"
   mkdir -p -- "$out" && : >"$out/.in-turn" || ended failed 2
@@ -52,18 +56,13 @@ else  # who begins a round alternates
     ((i % 2)) || solve "$old" "$out/before"
   done >/dev/null
   for each in "$out/before" "$out"; do "$program" merge "$each" "$each/shards" || ended failed $?; done
-fi
-rm -f -- "$out"/{verdict.md,required.txt}  # of an earlier call
-required=0  # the exit code of the requirements
-if [[ -n ${REQUIRE:-} ]]; then
-  options=()
-  while IFS= read -r line; do [[ -z $line ]] || options+=(--require="$line"); done <<<"$REQUIRE"
-  "$program" report "$out/store.sqlite" --figures none --strict "${options[@]}" >"$out/required.txt"
+  text=$("$program" report "$out/store.sqlite" --figures none "${requirements[@]}")
   required=$?
-  cat "$out/required.txt"
-  [[ -z ${GITHUB_STEP_SUMMARY:-} ]] || printf '```\n%s\n```\n' "$(<"$out/required.txt")" >>"$GITHUB_STEP_SUMMARY"
-  [[ $required =~ ^[034]$ ]] || ended failed $required
 fi
+printf '%s\n' "$text"
+[[ $required =~ ^[034]$ ]] || ended failed $required
+[[ -z ${GITHUB_STEP_SUMMARY:-} || -z $text ]] || printf '```\n%s\n```\n' "$text" >>"$GITHUB_STEP_SUMMARY"
+rm -f -- "$out/verdict.md"  # of an earlier call
 end_by_requirements() { case $required in 0) ended "$1" 0 ;; 3) ended unmet 3 ;; *) ended inconclusive 4 ;; esac; }
 [[ -n $baseline ]] || end_by_requirements passed
 [[ -e $baseline || -L $baseline ]] || { echo "There is no baseline yet; keep $out/store.sqlite as $baseline."; end_by_requirements no-baseline; }

@@ -11,6 +11,7 @@
 #include "analysis/judge/data/imported.hpp"
 #include "analysis/judge/judge.hpp"
 #include "analysis/show/publish.hpp"
+#include "analysis/show/requirements.hpp"
 #include "analysis/show/result_tables.hpp"
 #include "analysis/show/terminal.hpp"
 #include "base/embedded_file.hpp"
@@ -280,6 +281,15 @@ int show_answer(const Store& store, const StoredStudy& study, const ReportArgume
   const int code = exit_code(judged.requirements);
   show_json(show::to_json(show::make_report(std::move(judged), {}).model));
   return has_silent ? 3 : code;
+}
+
+int check_requirements_only(const Store& store, const StoredStudy& study, const ReportArguments& arguments,
+                            const std::optional<judge::StudyResults>& beside) {
+  judge::JudgedStudy judged = judge_with_requirements(read_checked(store, study), study, arguments, beside);
+  const int code = exit_code(judged.requirements);
+  for (const std::string& sentence : show::requirement_sentences(show::make_report_model(judged)))
+    fmt::print("{}\n", wrapped(printable(sentence)));
+  return code;
 }
 
 std::optional<judge::StudyResults> imported_results(const StoredStudy& study, const ReportArguments& arguments) {

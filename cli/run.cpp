@@ -116,7 +116,9 @@ Study study_of(const StudyToRun& arguments) {
   }
   // A mistake in style, requirements or plan shows before hours of solving.
   static_cast<void>(apply_style({study.figures}, labels_of(study), arguments.report));
-  refuse_wrong_requirements(arguments.report, study, labels_of(study));
+  std::vector<std::string> labels = labels_of(study);
+  for (const experiments::AwaitedSolver& awaited : study.awaited) labels.push_back(awaited.label);
+  refuse_wrong_requirements(arguments.report, study, labels);
   const std::vector<judge::Metric> metrics = judge::metrics_of(study);
   if (!study.plan.metric.empty()) static_cast<void>(judge::metric_named(study.plan.metric, metrics));
   return study;
@@ -133,9 +135,23 @@ void write_awaited_targets(const Study& study, const std::filesystem::path& fold
   print_command(command);
 }
 
+// Judges what was solved: writes the report, or prints JSON or the checks of requirements. Returns the exit code.
+int judge_run(const Store& store, const StoredStudy& stored, const std::filesystem::path& folder,
+              const StudyToRun& arguments) {
+  const ReportArguments& report = arguments.report;
+  const auto beside = imported_results(stored, report);
+  if (!arguments.without_report) return write_and_announce(store, stored, folder, report, beside);
+  if (report.is_json) return show_answer(store, stored, report, beside);
+  const bool is_required = !report.requirements.empty() || !stored.definition.requirements.empty();
+  return is_required ? check_requirements_only(store, stored, report, beside) : 0;
+}
+
 void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
   const Study study = study_of(arguments);
   const bool is_part = !arguments.shard.empty(), has_report = !arguments.without_report && !is_part;
+  if (is_part && (!arguments.report.requirements.empty() || arguments.report.is_strict))
+    throw std::invalid_argument(
+        "--shard: a part is not judged; leave out --require and --strict, and give them to ikbench report after the merge");
   const Shard shard = is_part ? parse_shard(arguments.shard) : Shard{};
   if (const std::int64_t parts = work_unit_count(study); shard.count > parts)  // some shards would be empty
     throw std::invalid_argument(fmt::format("--shard {}: {} has only {}; expected at most that many shards",
@@ -148,15 +164,14 @@ void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
   if (!study.awaited.empty()) invocation.exit_code = 5;
   if (study.solvers.empty()) return;
   const StoredStudy stored = to_stored(study);
-  const auto beside = imported_results(stored, arguments.report);
+  static_cast<void>(imported_results(stored, arguments.report));  // refuses before hours of solving
   const std::string solved =
       run_study(study, stored, folder, {.jobs = arguments.run.jobs, .command = invocation.command, .shard = shard},
                 is_part ? Store::Mode::write_shared : Store::Mode::write);
   if (!has_report && !arguments.report.is_json) fmt::print("{}\n", wrapped(solved));
-  if (is_part || (!has_report && !arguments.report.is_json)) return;
+  if (is_part) return;
   const Store store(store_path(folder), Store::Mode::read);
-  const int judged_code = has_report ? write_and_announce(store, stored, folder, arguments.report, beside)
-                                     : show_answer(store, stored, arguments.report, beside);
+  const int judged_code = judge_run(store, stored, folder, arguments);
   if (study.awaited.empty()) invocation.exit_code = judged_code;
 }
 

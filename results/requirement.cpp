@@ -38,9 +38,10 @@ Requirement parse_requirement(std::string_view text) {
   if (std::ranges::count(shares, requirement.metric) == 0)
     refuse(fmt::format("{} is not a share; a requirement is on one of {}", base::in_quotes(requirement.metric),
                        fmt::join(shares, ", ")));
+  if (!value.ends_with('%')) refuse(fmt::format("{} has no percent sign", base::in_quotes(value)));
   const auto percent = value.ends_with('%') ? base::number_from(value.substr(0, value.size() - 1)) : std::nullopt;
   if (!percent || !(*percent > 0 && *percent < 100))
-    refuse(fmt::format("{} is not a share above 0% and below 100%, which no number of targets could show",
+    refuse(fmt::format("{} is not a share above 0% and below 100% (no number of targets could show 100%)",
                        base::in_quotes(value)));
   requirement.share = *percent / 100;
   return requirement;

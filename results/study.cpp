@@ -108,6 +108,7 @@ std::vector<Requirement> read_requirements(const base::TomlReader& require) {
 
 std::string lack_of_share(const StudySpec& study, std::string_view slug) {
   const bool is_in_time = slug == "in-time";
+  if (is_in_time && study.stop.only_time_limits()) return "in-time is not reported with --limit; expected solved";
   if (is_in_time && study.plan.deadline == 0 && study.loop.period == 0)
     return "in-time needs a study with analysis.deadline_ms or loop.period_ms";
   if (!is_in_time && !study.has_tolerance()) return "solved needs a study with a tolerance (stop.tolerance_cm)";

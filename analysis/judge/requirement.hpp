@@ -30,6 +30,7 @@ struct RequirementCheck {
   double share = 0;              // NaN without values
   double n = 0;                  // values: targets, or runs
   Interval interval = {0, 1};    // of the share
+  bool are_counts = false;       // each value is a single solve
   bool is_exact = false;         // a deterministic solver on fixed targets: the share has no chance in it
   std::string reason = {};       // why the share cannot be compared with the required one; empty: it can
   bool is_strict = false;        // an inconclusive check fails the command
@@ -40,8 +41,8 @@ struct RequirementCheck {
 RequirementCheck check_requirement(const JudgedMetric& judged, const std::string& solver, double required);
 
 // Returns the checks of all requirements, in their order. A requirement without a solver is checked for each label of
-// `own_solvers`, or for all labels if `own_solvers` is empty. With `is_strict`, inconclusive checks fail. Throws
-// std::invalid_argument if the study lacks the share or the solver.
+// `own_solvers`, or for all labels if `own_solvers` is empty. With `is_strict`, inconclusive checks fail.
+// Solvers without solves are not checked. Throws std::invalid_argument if the study lacks the share.
 std::vector<RequirementCheck> check_requirements(const JudgedStudy& judged,
                                                  const std::vector<results::Requirement>& requirements,
                                                  const std::vector<std::string>& own_solvers, bool is_strict);

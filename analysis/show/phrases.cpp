@@ -119,7 +119,8 @@ std::string reason_in_metric(const NotTested& not_tested, const JudgedMetric& ju
   if (not_tested.reason != NotTestedReason::not_comparable) return reason_text(not_tested, noun);
   std::string reason = reason_text(not_tested, noun);
   for (const Warning& warning : judged.samples.warnings) {
-    if (warning.kind == WarningKind::times_not_comparable) reason = warning.detail;
+    if (warning.kind == WarningKind::times_not_comparable || warning.kind == WarningKind::budget_not_known)
+      reason = warning.detail;
     if (warning.kind == WarningKind::time_limit_decides) reason = "the time limit stopped solves " + warning.detail;
   }
   return reason;

@@ -9,6 +9,7 @@
 #include "analysis/show/text.hpp"
 #include "base/json.hpp"
 #include "base/names.hpp"
+#include "base/number.hpp"
 
 namespace ikbench::show {
 
@@ -35,11 +36,19 @@ std::string_view verdict_text(RequirementVerdict verdict) {
 // Returns "97 of 100 targets", or "97.5 % of targets" if values are means of several solves.
 std::string share_text(const RequirementCheck& check, const ReportModel& model) {
   if (std::isnan(check.share)) return "an unknown share of targets";
-  const double successes = check.share * check.n;
-  const bool are_counts = !check.is_exact && std::abs(successes - std::round(successes)) < 1e-9;
-  if (are_counts)
-    return fmt::format("{:.0f} of {}", successes, base::counted(static_cast<std::int64_t>(check.n), model.noun));
+  if (check.are_counts && !check.is_exact)
+    return fmt::format("{:.0f} of {}", check.share * check.n,
+                       base::counted(static_cast<std::int64_t>(check.n), model.noun));
   return fmt::format("{} % of targets", number_within(100 * check.share, {0, 100, 100 * check.required}));
+}
+
+// Returns a percentage with at least so many digits, and with as many as show on which side of the required one it is.
+std::string percent_text(double percent, double required, int digits) {
+  for (; digits < 12; ++digits) {
+    const double shown = base::number_from(number_text(percent, digits)).value_or(percent);
+    if ((shown < required) == (percent < required)) break;
+  }
+  return number_text(percent, digits);
 }
 
 // Returns " (92-99 %)", " (deterministic)", or why there is no interval.
@@ -48,8 +57,8 @@ std::string evidence_text(const RequirementCheck& check) {
   if (check.is_exact) return " (deterministic)";
   const double low = 100 * check.interval.low, high = 100 * check.interval.high;
   const int digits = high - low < 3 ? 3 : 2;
-  const Boundaries required{100 * check.required};
-  return fmt::format(" ({}-{} %)", number_within(low, required, digits), number_within(high, required, digits));
+  const double required = 100 * check.required;
+  return fmt::format(" ({}-{} %)", percent_text(low, required, digits), percent_text(high, required, digits));
 }
 
 // Rounds up to two digits: 356 becomes 360.
@@ -61,11 +70,11 @@ std::int64_t rounded_up(std::int64_t count) {
 
 std::string sentence(const RequirementCheck& check, const ReportModel& model) {
   std::string text = fmt::format("{} solved {}{}: at least {} %{} is {}{}", check.solver, share_text(check, model),
-                                 check.metric == "in-time" ? " in time" : "", number_text(100 * check.required, 6),
+                                 check.metric == "in-time" ? " in time" : "", number_text(100 * check.required, 12),
                                  model.time_limit.empty() ? "" : " within " + model.time_limit,
                                  verdict_text(check.verdict), evidence_text(check));
   if (check.more_values > 0)
-    text += fmt::format("; about {} more like these would show it", rounded_up(check.more_values));
+    text += fmt::format("; about {} more {} like these would show it", rounded_up(check.more_values), model.noun);
   const bool passes = check.verdict == RequirementVerdict::inconclusive && !check.is_strict;
   return text + (passes ? "; passes, since --strict is not given." : ".");
 }

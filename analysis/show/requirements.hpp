@@ -10,7 +10,7 @@
 namespace ikbench::show {
 
 // Returns a sentence per check: "mine solved 97 of 100 targets: at least 95 % is inconclusive (92-99 %); about 360 more
-// like these would show it." Empty if the study has no requirement.
+// targets like these would show it." Empty if the study has no requirement.
 std::vector<std::string> requirement_sentences(const ReportModel& model);
 // Returns a list with an object per check: solver, metric, required, share, n, low, high, verdict, more_values, reason.
 nlohmann::ordered_json requirements_json(const ReportModel& model);

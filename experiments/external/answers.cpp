@@ -34,10 +34,18 @@ bool has_title(const base::Sheet& sheet, std::string_view title) {
   return std::ranges::count(sheet.titles(), title) > 0;
 }
 
-// Returns the columns of all joints: by their names if the file has one of these, otherwise q1, q2, ...
+// Returns whether a column of this title has another meaning than a joint.
+bool is_reserved(std::string_view title) {
+  constexpr std::array<std::string_view, 4> others{"run", "point", "target", "ms"};
+  return std::ranges::count(pose_titles, title) > 0 || std::ranges::count(others, title) > 0;
+}
+
+// Returns the columns of all joints: by their names if the file has one of these, otherwise q1, q2, ... An arm with a
+// joint whose name is that of another column has only q1, q2, ...
 std::vector<std::size_t> joint_columns(base::Sheet& sheet, const Robot& arm) {
   std::vector<std::string> names = joint_names(arm);
-  const bool are_named = std::ranges::any_of(names, [&](const std::string& name) { return has_title(sheet, name); });
+  const bool are_named = std::ranges::none_of(names, is_reserved) &&
+                         std::ranges::any_of(names, [&](const std::string& name) { return has_title(sheet, name); });
   for (std::size_t j = 0; j < names.size() && !are_named; ++j) names[j] = fmt::format("q{}", j + 1);
   std::vector<std::size_t> columns;
   for (const std::string& name : names) {

@@ -318,7 +318,7 @@ void read_requirements(const TomlReader& require, Study& study) {
     if (!lack.empty()) throw require.mistake(requirement.metric, lack);
     if (!requirement.solver.empty())
       refuse_unknown(require, {.key = requirement.solver, .kind = "label", .name = requirement.solver},
-                     labels_of(study));
+                     labels_in_file(study));
   }
 }
 

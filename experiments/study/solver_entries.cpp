@@ -41,6 +41,7 @@ void read_given(TomlReader& reader, SolverEntry& entry, const Robot& arm) {
   constexpr std::string_view key = "answers";
   std::string name;
   reader.text(key, name, "");
+  if (name.empty()) throw reader.mistake(key, "an empty name; expected a file such as \"moveit.csv\"");
   entry.solver = elsewhere;
   const std::filesystem::path folder = base_folder(reader, key);
   entry.answers = with_key_context(reader, key, [&] { return read_answers(name, folder, arm); });

@@ -102,6 +102,8 @@ gate 4 inconclusive OUT=required REQUIRE=$'mine.solved=50%\nsolved=99.9%'
 gate 1 failed OUT=required REQUIRE=time=5%
 sed 's/^evaluations = .*/evaluations = 8/' gate.toml >few.toml
 gate 3 unmet BASELINE= STUDY=few.toml OUT=few REQUIRE='solved=99%'
+sed '/^\[stop\]/i [require]\nsolved = "99%"' few.toml >own.toml
+gate 3 unmet BASELINE=nowhere.sqlite STUDY=own.toml OUT=own
 [ -s same/verdict.md ] && has "$(<summary.md)" "$(<same/verdict.md)" || fail "no verdict in the summary: $(<summary.md)"
 refused 'alternating rounds' compare $base $again --time-margin 10%
 code=0  # 3 where the machine was slower in one's rounds, 1 where it was busy

@@ -129,5 +129,8 @@ equal "verdicts" "met failed" "$("$program" report out/require/store.sqlite --re
 sed '/^stop/a [require]\n"hopeless.solved" = "50%"' require.toml >inside.toml
 ends 3 run inside.toml --figures none
 ends 0 report out/inside/store.sqlite --require LM.solved=50% --figures none
+ends 3 run inside.toml --no-report
+ends 0 run inside.toml --only LM --figures none --out out/only
+refused "not judged" run require.toml --shard 1/2 --require LM.solved=50%
 "$program" list studies inside.toml >again.toml
 ends 3 run again.toml --out out/again --figures none

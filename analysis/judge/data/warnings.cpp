@@ -185,6 +185,17 @@ std::vector<std::string> solved_elsewhere(const StudyResults& study, bool has_ti
   return solvers;
 }
 
+// Returns the solvers with an answer that was made elsewhere and has no time.
+std::vector<std::string> untimed_elsewhere(const StudyResults& study) {
+  const auto is_untimed = [](const SolveSummary& solve) {
+    return solve.timing == Timing::elsewhere && has_answer(solve) && !std::isfinite(solve.seconds);
+  };
+  std::vector<std::string> solvers;
+  for (const std::string& solver : study.labels)
+    if (std::ranges::any_of(study.of(solver), is_untimed)) solvers.push_back(solver);
+  return solvers;
+}
+
 // Returns the circumstances in which a time limit gave solvers different chances, whatever each solver did: "on several
 // machines"; empty if the chances were equal.
 std::string unequal_circumstances(const StudyResults& study) {
@@ -258,9 +269,10 @@ std::vector<Warning> clock_warnings(const StudyResults& study) {
   add_for(warnings, here, circumstances.empty() ? "while the machine was busy" : circumstances);
   add_for(warnings, imported, study.imported.origin);
   add_for(warnings, given, "elsewhere");
-  add(warnings, {.kind = WarningKind::budget_not_known,
-                 .solvers = solved_elsewhere(study, false),
-                 .detail = "solved elsewhere without times, so the time limit may not have been kept"});
+  add(warnings,
+      {.kind = WarningKind::budget_not_known,
+       .solvers = untimed_elsewhere(study),
+       .detail = "solved elsewhere, and not every answer has a time, so the time limit may not have been kept"});
   return warnings;
 }
 
