@@ -142,10 +142,10 @@ void refuse_missing_font(const FigureStyle& style, const std::vector<std::string
   for (const auto& [code, label] : characters) {
     const auto fonts = ChildProcess::run({"fc-list", fmt::format(":charset={:x}", code), "family"}, ".", {});
     if (fonts.succeeded && fonts.output.empty())
-      throw std::invalid_argument(fmt::format(
-          "no font on this machine has the character U+{:04X} of \"{}\"; use another label, draw only "
-          "formats = [\"svg\"] (--style), or add --figures none",
-          code, one_line(label)));
+      throw std::invalid_argument(
+          fmt::format("no font on this machine has the character U+{:04X} of \"{}\"; use another label, draw only "
+                      "formats = [\"svg\"] (--style), or add --figures none",
+                      code, one_line(label)));
   }
   const std::string& font = style.font;
   if (font == FigureStyle().font) return;

@@ -52,11 +52,8 @@ TEST_CASE("Beside a study, shares are compared where no time ended a solve, and 
   };
   CHECK(says(times.warnings,
              "times of early, late and mine (there) are not compared: solved on another machine, 11/2026") == 1);
-  CHECK(
-      says(
-          solved.warnings,
-          "late is not compared: the time limit stopped 10 of 60 solves on another machine, 11/2026") ==
-      1);
+  CHECK(says(solved.warnings,
+             "late is not compared: the time limit stopped 10 of 60 solves on another machine, 11/2026") == 1);
 }
 
 TEST_CASE("Another study does not stand beside, and what differs is said") {
