@@ -144,7 +144,7 @@ TEST_CASE("times decide nothing, and those of other stores and of solves that ar
        {check_of(before, version(1, in_turns, slow_and_other)), check_of(before, version(1, in_turns, slow))}) {
     CHECK(time_of(check).why == ResultKind::apart);
     CHECK(check.quantities(RegressionOutcome::worse).empty());
-    CHECK(std::ranges::count(check.quantities(RegressionOutcome::inconclusive), "time per solved") == 0);
+    CHECK(std::ranges::count(check.quantities(RegressionOutcome::inconclusive), "time per success") == 0);
   }
   const RegressionCheck one = check_of(in_turns, [&](SolveRecord& solve) {
     const double noise = solve.label == "B" ? 1 + 0.01 * (solve.run % 2) : 1;
