@@ -25,11 +25,7 @@ std::int64_t more_values(const RequirementCheck& check, double alpha) {
 std::string reason_against(const MetricSamples& samples, const std::string& solver) {
   for (const Warning& warning : samples.warnings) {
     const bool is_named = warning.solvers.empty() || std::ranges::count(warning.solvers, solver) > 0;
-    if (is_named && warning.kind == WarningKind::time_limit_decides)
-      return "the time limit stopped solves " + warning.detail;
-    const bool has_reason =
-        warning.kind == WarningKind::times_not_comparable || warning.kind == WarningKind::budget_not_known;
-    if (is_named && has_reason) return warning.detail;
+    if (std::string reason = reason_not_compared(warning); is_named && !reason.empty()) return reason;
   }
   return "its share is not comparable";
 }

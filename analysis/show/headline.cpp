@@ -137,10 +137,8 @@ bool is_about_leaders(Kind kind) {
   return false;
 }
 
-// True if the sentence of a second question names the best solvers.
-bool names_winner(const ReportModel& model, const HeadlineQuestion& question) {
-  const PairIndex pairs(model.metrics[question.metric], question.solvers);
-  const Ranking ranking = ranking_of(question.statements);
+// True if each of the best solvers of a second question is better than each of the losers.
+bool has_winner(const PairIndex& pairs, const Ranking& ranking) {
   const auto is_better = [&](const std::string& name, const std::string& loser) {
     return pairs.is_better(name, loser);
   };
@@ -224,7 +222,11 @@ class QuestionTeller {
     const Statement& only = question_.statements.front();
     const bool is_open = only.kind == Kind::inconclusive || only.kind == Kind::none_better;
     if (question_.statements.size() > 1 || !is_open || !is_solved(judged_) || is_against_control()) return false;
-    if (model_.questions.size() > 1 && names_winner(model_, model_.questions.back())) return false;
+    if (model_.questions.size() > 1) {
+      const HeadlineQuestion& second = model_.questions.back();
+      const PairIndex pairs(model_.metrics[second.metric], second.solvers);
+      if (has_winner(pairs, ranking_of(second.statements))) return false;
+    }
     const double first = descriptives_of(only.solvers.front()).mean;
     return std::ranges::any_of(only.solvers,
                                [&](const std::string& name) { return descriptives_of(name).mean != first; });
@@ -503,7 +505,7 @@ class QuestionTeller {
       return std::ranges::count_if(ranking.losers, [&](const std::string& loser) { return is_better(name, loser); });
     });
     const SolverRatios ratios = ratios_to(leader, ranking.losers);
-    if (!holds_for_pairs(ranking.best, ranking.losers, is_better))
+    if (!has_winner(pairs_, ranking))
       return fmt::format("No solver is shown to {} than {}{}", words.be_better, leader, ratios_text(ratios, words, ""));
     const bool is_one = ranking.best.size() == 1;
     const bool are_small = holds_for_pairs(

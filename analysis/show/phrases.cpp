@@ -118,11 +118,8 @@ std::string reason_text(const NotTested& open, std::string_view noun) {
 std::string reason_in_metric(const NotTested& not_tested, const JudgedMetric& judged, std::string_view noun) {
   if (not_tested.reason != NotTestedReason::not_comparable) return reason_text(not_tested, noun);
   std::string reason = reason_text(not_tested, noun);
-  for (const Warning& warning : judged.samples.warnings) {
-    if (warning.kind == WarningKind::times_not_comparable || warning.kind == WarningKind::budget_not_known)
-      reason = warning.detail;
-    if (warning.kind == WarningKind::time_limit_decides) reason = "the time limit stopped solves " + warning.detail;
-  }
+  for (const Warning& warning : judged.samples.warnings)
+    if (std::string stated = reason_not_compared(warning); !stated.empty()) reason = std::move(stated);
   return reason;
 }
 

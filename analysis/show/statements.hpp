@@ -66,7 +66,7 @@ std::vector<Statement> make_statements(const judge::JudgedMetric& judged, const 
 // A question that the headline answers.
 struct HeadlineQuestion {
   std::size_t metric = 0;            // place in the metrics of the report model
-  std::vector<std::string> solvers;  // about whom it is asked, in the order of the table
+  std::vector<std::string> solvers;  // that it is about, in the order of the table
   std::vector<Statement> statements;
   std::string tie_breaker = {};            // the plan's word for the metric, such as "time"; empty: the first question
   std::vector<std::size_t> untested = {};  // places of the tie-breakers before this one, in which no pair was tested

@@ -369,7 +369,7 @@ TEST_CASE("what was found about answers is told of the series that has them") {
   of.series[1].key = "B@1";
   std::vector<std::string> told;
   for (const Warning& warning : study_warnings(of))
-    if (warning.kind == WarningKind::wrong_answers || warning.kind == WarningKind::odd_answers)
+    if (warning.kind == WarningKind::wrong_answers || warning.kind == WarningKind::answer_anomalies)
       told.push_back(warning_text(warning));
   REQUIRE(told.size() == 2);
   CHECK(told[0] == "A: angles are in degrees");

@@ -62,7 +62,7 @@ std::string unusable_timing(const StudyResults& study) {
 void add_answer_warnings(Warnings& warnings, const StudyResults& study) {
   constexpr std::size_t most = 400;  // bytes of a sentence, which a stranger's store may have
   for (const auto& [kind, prefix] :
-       {std::pair(WarningKind::wrong_answers, cause_fact), {WarningKind::odd_answers, answers_fact}}) {
+       {std::pair(WarningKind::wrong_answers, cause_fact), {WarningKind::answer_anomalies, answers_fact}}) {
     for (const Series& series : study.series) {
       std::string sentence;
       for (const Session& session : study.sessions)
@@ -308,6 +308,13 @@ std::vector<Warning> study_warnings(const StudyResults& study) {
   add(warnings, study.stale_solves);
   add_answer_warnings(warnings, study);
   return warnings;
+}
+
+std::string reason_not_compared(const Warning& warning) {
+  if (warning.kind == WarningKind::time_limit_decides) return "the time limit stopped solves " + warning.detail;
+  const bool has_reason =
+      warning.kind == WarningKind::times_not_comparable || warning.kind == WarningKind::budget_not_known;
+  return has_reason ? warning.detail : "";
 }
 
 std::string warning_text(const Warning& warning) {

@@ -29,7 +29,7 @@ enum class WarningKind {
   favoured_by_drop,        // rows of a file are left out, and solvers lack different shares of them
   may_be_one_measurement,  // every block of a file has the same values
   wrong_answers,           // most answers of a solver miss their targets by one known cause
-  odd_answers,       // a file of answers has doubled rows, wrong answers beside right ones, or cells without a number
+  answer_anomalies,  // a file of answers has doubled rows, wrong answers beside right ones, or cells without a number
   budget_not_known,  // answers made elsewhere have no times, so that a time limit may not have been kept
 };
 
@@ -42,6 +42,9 @@ struct Warning {
 
 // Returns a line such as "times of mine are not compared: the machine was busy in 100 of 100 solves".
 std::string warning_text(const Warning& warning);
+
+// Returns why the solvers of a warning are not compared: "the machine was busy". Empty for warnings of other kinds.
+std::string reason_not_compared(const Warning& warning);
 
 // Returns the warnings that concern more than one metric.
 std::vector<Warning> study_warnings(const StudyResults& study);
