@@ -141,9 +141,8 @@ judge::JudgedStudy judge_with_requirements(judge::StudyResults results, const St
   judge::JudgedStudy judged = judge::judge(std::move(results));
   std::vector<Requirement> requirements = requirements_in(arguments);
   if (requirements.empty()) requirements = study.definition.requirements;
-  std::vector<std::string> own = experiments::own_solvers_of(study);
-  std::erase_if(own, [&](const std::string& label) { return std::ranges::count(judged.study.labels, label) == 0; });
-  judged.requirements = judge::check_requirements(judged, requirements, own, arguments.is_strict);
+  judged.requirements =
+      judge::check_requirements(judged, requirements, experiments::own_solvers_of(study), arguments.is_strict);
   return judged;
 }
 

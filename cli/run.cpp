@@ -116,9 +116,7 @@ Study study_of(const StudyToRun& arguments) {
   }
   // A mistake in style, requirements or plan shows before hours of solving.
   static_cast<void>(apply_style({study.figures}, labels_of(study), arguments.report));
-  std::vector<std::string> labels = labels_of(study);
-  for (const experiments::AwaitedSolver& awaited : study.awaited) labels.push_back(awaited.label);
-  refuse_wrong_requirements(arguments.report, study, labels);
+  refuse_wrong_requirements(arguments.report, study, labels_in_file(study));
   const std::vector<judge::Metric> metrics = judge::metrics_of(study);
   if (!study.plan.metric.empty()) static_cast<void>(judge::metric_named(study.plan.metric, metrics));
   return study;
@@ -137,9 +135,8 @@ void write_awaited_targets(const Study& study, const std::filesystem::path& fold
 
 // Judges what was solved: writes the report, or prints JSON or the checks of requirements. Returns the exit code.
 int judge_run(const Store& store, const StoredStudy& stored, const std::filesystem::path& folder,
-              const StudyToRun& arguments) {
+              const StudyToRun& arguments, const std::optional<judge::StudyResults>& beside) {
   const ReportArguments& report = arguments.report;
-  const auto beside = imported_results(stored, report);
   if (!arguments.without_report) return write_and_announce(store, stored, folder, report, beside);
   if (report.is_json) return show_answer(store, stored, report, beside);
   const bool is_required = !report.requirements.empty() || !stored.definition.requirements.empty();
@@ -164,14 +161,14 @@ void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
   if (!study.awaited.empty()) invocation.exit_code = 5;
   if (study.solvers.empty()) return;
   const StoredStudy stored = to_stored(study);
-  static_cast<void>(imported_results(stored, arguments.report));  // refuses before hours of solving
+  const auto beside = imported_results(stored, arguments.report);  // refuses before hours of solving
   const std::string solved =
       run_study(study, stored, folder, {.jobs = arguments.run.jobs, .command = invocation.command, .shard = shard},
                 is_part ? Store::Mode::write_shared : Store::Mode::write);
   if (!has_report && !arguments.report.is_json) fmt::print("{}\n", wrapped(solved));
   if (is_part) return;
   const Store store(store_path(folder), Store::Mode::read);
-  const int judged_code = judge_run(store, stored, folder, arguments);
+  const int judged_code = judge_run(store, stored, folder, arguments, beside);
   if (study.awaited.empty()) invocation.exit_code = judged_code;
 }
 

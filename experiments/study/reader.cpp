@@ -231,13 +231,6 @@ void check_answers(const Study& study, const Robot& arm) {
     if (entry.answers) require_targets(*entry.answers, study, arm);
 }
 
-// Returns the labels that the study's file has, also of solvers whose answers are not there yet.
-std::vector<std::string> labels_in_file(const Study& study) {
-  std::vector<std::string> labels = labels_of(study);
-  for (const AwaitedSolver& awaited : study.awaited) labels.push_back(awaited.label);
-  return labels;
-}
-
 // Drops a control that a sweep splits, or that is not solved.
 void drop_lost_control(Study& study) {
   std::string& control = study.plan.control;

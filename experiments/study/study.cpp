@@ -36,6 +36,12 @@ std::vector<std::string> labels_of(const Study& study) {
   return labels;
 }
 
+std::vector<std::string> labels_in_file(const Study& study) {
+  std::vector<std::string> labels = labels_of(study);
+  for (const AwaitedSolver& awaited : study.awaited) labels.push_back(awaited.label);
+  return labels;
+}
+
 GoalKind goal_kind(Search search) {
   switch (search) {
     case Search::pose:

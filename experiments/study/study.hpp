@@ -79,6 +79,8 @@ struct Study : results::StudySpec {
 };
 
 std::vector<std::string> labels_of(const Study& study);  // labels of all solvers
+// Returns the labels that the study's file has, also of solvers whose answers are not there yet.
+std::vector<std::string> labels_in_file(const Study& study);
 
 // Returns the kind of goal that a search has.
 solvers::GoalKind goal_kind(Search search);
