@@ -53,6 +53,13 @@ bool is_share(std::ptrdiff_t count, std::size_t total, double share) {
   return static_cast<double>(count) >= share * static_cast<double>(total);
 }
 
+// Returns the upper median of values, whose order changes. There must be one.
+double median(std::vector<double>& values) {
+  const auto half = values.begin() + std::ssize(values) / 2;
+  std::ranges::nth_element(values, half);
+  return *half;
+}
+
 // The answers with the poses that they reach.
 struct Reached {
   const Robot& arm;
@@ -123,9 +130,7 @@ std::optional<Pose> common_frame(const std::vector<Pose>& frames, const Reached&
   std::vector<double> values(frames.size());
   for (Eigen::Index i = 0; i < middle.size(); ++i) {
     for (std::size_t k = 0; k < frames.size(); ++k) values[k] = frames[k].matrix()(i % 3, i / 3);
-    const auto half = values.begin() + std::ssize(values) / 2;
-    std::ranges::nth_element(values, half);
-    middle(i % 3, i / 3) = *half;
+    middle(i % 3, i / 3) = median(values);
   }
   const auto are_near = [&](const Pose& frame, const Eigen::Matrix<double, 3, 4>& other) {
     const Eigen::Matrix<double, 3, 4> difference = (frame.matrix().topRows<3>() - other).cwiseAbs();
@@ -187,11 +192,6 @@ std::optional<Diagnosis> by_few_digits(const Reached& reached) {
     distances.push_back((reached.poses[i].translation() - target.translation()).norm());
     errors.push_back(std::max(distances.back(), angle_between(reached.poses[i], target, reached.right.kind)));
   }
-  const auto median = [](std::vector<double>& values) {
-    const auto half = values.begin() + std::ssize(values) / 2;
-    std::ranges::nth_element(values, half);
-    return *half;
-  };
   if (!(median(errors) <= small_error)) return std::nullopt;
   return Diagnosis{.cause = Cause::few_digits, .error = median(distances)};
 }

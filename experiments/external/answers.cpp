@@ -91,7 +91,7 @@ int number_in(base::Sheet& sheet, std::size_t row, std::size_t column) {
   constexpr double largest = 1e9;
   const double value = sheet.number(row, column);
   if (!(value >= 1) || value > largest || value != std::floor(value))
-    sheet.refuse(row, column, "is no number of a run or a point; expected 1, 2, 3 ... as in targets.csv");
+    sheet.refuse(row, column, "is not the number of a run or a point; expected 1, 2, 3 ... as in targets.csv");
   return static_cast<int>(value);
 }
 
@@ -99,7 +99,7 @@ int number_in(base::Sheet& sheet, std::size_t row, std::size_t column) {
 double seconds_in(base::Sheet& sheet, std::size_t row, std::size_t column) {
   const double value = sheet.number(row, column) / 1000;
   if (value <= 0 || std::isinf(value))
-    sheet.refuse(row, column, "is no time; expected milliseconds above 0, or an empty cell");
+    sheet.refuse(row, column, "is not a time; expected milliseconds above 0, or an empty cell");
   return value;
 }
 

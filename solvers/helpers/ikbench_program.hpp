@@ -56,7 +56,7 @@ struct Json {
     for (const Json& each : list) all.push_back(each.number);
     return all;
   }
-  // Of a whole line. Throws std::runtime_error where it is no JSON.
+  // Returns the value of a whole line. Throws std::runtime_error if the line is not JSON.
   static Json of(const std::string& line) {
     const char* at = line.c_str();
     return read(at);

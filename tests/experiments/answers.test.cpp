@@ -243,8 +243,8 @@ TEST_CASE("a file that is no table of answers for the study is refused", "[answe
   CHECK(contains(refusal("point,q1,q2,q3,q4,q5,q6\n1,0,0,0,0,0,0\n"), "no column 'run'"));
   CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6\n1,1,0,0,0,0,0,wrong\n"), "'wrong'"));
   CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6\n1,2,0,0,0,0,0,0\n"), "a.csv:2: run 1, point 2"));
-  CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6\n1.5,1,0,0,0,0,0,0\n"), "is no number of a run"));
-  CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6,ms\n1,1,0,0,0,0,0,0,0\n"), "is no time"));
+  CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6\n1.5,1,0,0,0,0,0,0\n"), "is not the number of a run"));
+  CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6,ms\n1,1,0,0,0,0,0,0,0\n"), "is not a time"));
   const std::string hostile =
       refusal("run,point,q1,q2,q3,q4,q5,q6\n1,1,0,0,0,0,0,\x1b[2J" + std::string(100, 'a') + "\n");
   CHECK_FALSE(contains(hostile, "\x1b"));
