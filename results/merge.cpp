@@ -39,7 +39,7 @@ Store opened(const fs::path& place) {
 // such as how programs are started.
 const std::set<std::string> decide_no_solve{
     "analysis", "departures", "figures", "name",  "require", "unreachable_targets",
-    "solvers",  "published",  "runs",    "title", "rounds"};
+    "solvers",  "published",  "runs",    "title", "rounds",  "sweep"};
 
 // The links by which an arm was chosen. The definition's arm has the links that were taken, whether named or found.
 const std::set<std::string> settled_in_arm{"urdf.base", "urdf.tip"};

@@ -402,6 +402,30 @@ struct Store::Database {
     }
   }
 
+  // Writes a study in place of one of the same name. Called inside a transaction.
+  void save_study(const StoredStudy& study) {
+    SQLite::Statement save(
+        sqlite,
+        "INSERT INTO studies (name, definition, saved) VALUES (?1, ?2, strftime('%Y-%m-%dT%H:%M:%SZ', 'now')) "
+        "ON CONFLICT (name) DO UPDATE SET definition = excluded.definition, saved = excluded.saved");
+    execute(save, study.name, study.definition.json);
+    SQLite::Statement clear(sqlite, "DELETE FROM series WHERE study = ?");
+    execute(clear, study.name);
+    SQLite::Statement add(
+        sqlite, "INSERT INTO series (study, position, key, label, algorithm, options) VALUES (?, ?, ?, ?, ?, ?)");
+    std::int64_t position = 0;
+    for (const Series& series : study.series)
+      execute(add, study.name, ++position, series.key, series.label, series.algorithm, series.options);
+  }
+
+  // Removes a study, but none of its solves. Called inside a transaction.
+  void remove_study(const std::string& study) {
+    for (const char* const sql : {"DELETE FROM series WHERE study = ?", "DELETE FROM studies WHERE name = ?"}) {
+      SQLite::Statement remove(sqlite, sql);
+      execute(remove, study);
+    }
+  }
+
   const std::string name;  // as the user gave it
   const Mode mode;
   SQLite::Database sqlite;
@@ -415,20 +439,14 @@ Store::Store(const fs::path& file, Mode mode)
 Store::~Store() = default;
 
 void Store::save_study(const StoredStudy& study) {
+  database_->write([&] { database_->save_study(study); });
+}
+
+void Store::save_sweep(const std::vector<StoredStudy>& studies) {
+  const std::vector<StoredStudy> earlier = sweep(studies.front().definition.sweep.name);
   database_->write([&] {
-    SQLite::Statement save(
-        database_->sqlite,
-        "INSERT INTO studies (name, definition, saved) VALUES (?1, ?2, strftime('%Y-%m-%dT%H:%M:%SZ', 'now')) "
-        "ON CONFLICT (name) DO UPDATE SET definition = excluded.definition, saved = excluded.saved");
-    execute(save, study.name, study.definition.json);
-    SQLite::Statement clear(database_->sqlite, "DELETE FROM series WHERE study = ?");
-    execute(clear, study.name);
-    SQLite::Statement add(
-        database_->sqlite,
-        "INSERT INTO series (study, position, key, label, algorithm, options) VALUES (?, ?, ?, ?, ?, ?)");
-    std::int64_t position = 0;
-    for (const Series& series : study.series)
-      execute(add, study.name, ++position, series.key, series.label, series.algorithm, series.options);
+    for (const StoredStudy& study : earlier) database_->remove_study(study.name);
+    for (const StoredStudy& study : studies) database_->save_study(study);
   });
 }
 
@@ -483,7 +501,20 @@ StoredStudy Store::study(const std::string& name) const {
   if (!name.empty() && std::ranges::find(names, name) == names.end())
     throw std::invalid_argument(fmt::format("there is no study '{}' in '{}'; expected one of: {}", name,
                                             database_->name, fmt::join(names, ", ")));
-  return studies(name.empty() ? names.front() : name).front();
+  StoredStudy found = studies(name.empty() ? names.front() : name).front();
+  if (name.empty() && !found.definition.sweep.name.empty())
+    throw std::invalid_argument(fmt::format("'{}' has the sweep {}; name one of its studies, such as --study {}",
+                                            database_->name, found.definition.sweep.name, base::in_quotes(found.name)));
+  return found;
+}
+
+std::vector<StoredStudy> Store::sweep(const std::string& name) const {
+  std::vector<StoredStudy> all = studies();
+  if (all.empty()) return {};
+  const std::string wanted = name.empty() ? all.front().definition.sweep.name : name;
+  std::erase_if(all, [&](const StoredStudy& study) { return study.definition.sweep.name != wanted; });
+  if (wanted.empty()) all.clear();
+  return all;
 }
 
 std::int64_t Store::begin_session(const std::map<std::string, std::string>& environment) {

@@ -69,11 +69,17 @@ class Store {
   // Writes the study in place of one of the same name. Solves of the replaced study stay, but only those of the new
   // series are current.
   void save_study(const StoredStudy& study);
+  // Writes the studies of one sweep in place of all studies that this sweep had. Their solves stay, and are current
+  // again once a study with their series is saved.
+  void save_sweep(const std::vector<StoredStudy>& studies);
   // Returns the studies of this name, one or none; for "" all, in the order of their first save.
   std::vector<StoredStudy> studies(const std::string& name = "") const;
   // Returns the study of this name, for "" the first. Throws std::invalid_argument if there is none. No other
   // definition is read.
   StoredStudy study(const std::string& name) const;
+  // Returns the studies of the sweep with this name, for "" of the sweep that the first study is in, in the order of
+  // the sweep. Empty if there is no such sweep.
+  std::vector<StoredStudy> sweep(const std::string& name) const;
 
   // Adds a session with these facts and returns its number.
   std::int64_t begin_session(const std::map<std::string, std::string>& environment);

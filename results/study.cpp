@@ -73,7 +73,27 @@ void list_fields(base::Fields& io, StudySpec& study) {
   io.whole("seed", study.seed, {0, base::no_limit}, {"seed of all random numbers", base::InKey::in_text});
 }
 
+std::string SweepPlace::label() const {
+  if (values.size() == 1) return values.front().second;
+  std::string text;
+  for (const auto& [key, value] : values) text += fmt::format("{}{}={}", text.empty() ? "" : " ", key, value);
+  return text;
+}
+
 namespace {
+
+// Reads the place of a study in a sweep.
+void read_sweep(base::TomlReader reader, SweepPlace& place) {
+  constexpr std::size_t max_keys = 10;
+  reader.text("name", place.name);
+  if (place.name.empty()) return;
+  for (const toml::table* const value : reader.tables("values", max_keys, "the swept keys")) {
+    base::TomlReader fields = reader.nested(*value, "sweep.values.");
+    auto& [key, text] = place.values.emplace_back();
+    fields.text("key", key);
+    fields.text("value", text);
+  }
+}
 
 // Refuses a stored table in which a key has its former name, because the key would count as one that is not given.
 // Other renamed keys are refused by their readers.
@@ -141,6 +161,7 @@ StudyDefinition definition_of(const base::Json& document, std::string json) {
   list_fields(analysis, study.plan);
   study.requirements = read_requirements(reader.part("require"));
   list_fields(figures, study.figures);
+  read_sweep(reader.part("sweep"), study.sweep);
   for (const auto& [label, node] : colours.table())
     colours.text(label.str(), study.figures.colours[std::string(label.str())]);
   if (const auto mistake = style_error(study.figures))

@@ -153,6 +153,17 @@ constexpr std::array<std::string_view, 5> names_of(Start) {
 }
 constexpr std::array<std::string_view, 2> names_of(CacheState) { return {"first", "warm"}; }
 
+// The place of a study in a sweep over keys of a study (`ikbench run --sweep near_deg=1,10`): the name of the sweep,
+// and the key and value of each swept key. A study that is in no sweep has no name here. The place decides no number of
+// a solve.
+struct SweepPlace {
+  std::string name = {};
+  std::vector<std::pair<std::string, std::string>> values = {};  // in the order of the command
+
+  // Returns the values for a column's head: "10", or "near_deg=10 robot=ur5e" if several keys are swept.
+  std::string label() const;
+};
+
 // The settings of a study, as its file has them. docs/reference/study-file.md explains each.
 struct StudySpec {
   std::string name = "study";
@@ -182,6 +193,7 @@ struct StudySpec {
   AnalysisPlan plan;                           // decides no number of a solve
   std::vector<Requirement> requirements = {};  // [require]; decide no number of a solve
   FigureStyle figures;                         // colours of solver entries are in these entries of a study file
+  SweepPlace sweep = {};                       // given by the command, not by a study file
 
   // Returns true if each solve begins where the last one left the arm.
   bool is_chained() const { return start == Start::previous; }

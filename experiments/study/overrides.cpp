@@ -11,6 +11,9 @@
 #include "base/number.hpp"
 #include "experiments/study/reader.hpp"
 #include "experiments/study/reader_internal.hpp"
+#include "experiments/study/study_fields.hpp"
+#include "experiments/study/written_fields.hpp"
+#include "robots/robot.hpp"
 
 namespace ikbench::experiments {
 
@@ -77,6 +80,76 @@ struct TypedOverride {
   std::string option, text, key, value;
 };
 
+// A sweep as it was typed: "key=values".
+struct Sweep {
+  explicit Sweep(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+      throw std::invalid_argument(fmt::format(
+          "--sweep {}: expected setting=values, such as population=10,20,50, ik_bat.alpha=0.5,0.9 or near_deg=1,10,45",
+          text.substr(0, 100)));
+    }
+    key = text.substr(0, equals);
+    values.emplace_back();
+    int depth = 0;  // of brackets, whose commas are inside a value
+    for (const char c : text.substr(equals + 1)) {
+      depth += (c == '[') - (c == ']');
+      if (c == ',' && depth == 0)
+        values.emplace_back();
+      else
+        values.back() += c;
+    }
+    for (std::string& value : values) {  // numbers as TOML has them; whole numbers may have more digits than a double
+      const bool is_whole = value.find_first_not_of("0123456789") == std::string::npos;
+      if (const std::optional<double> number = number_from(value); number && std::isfinite(*number) && !is_whole)
+        value = text_of(*number);
+    }
+  }
+
+  std::string key;
+  std::vector<std::string> values = {};
+};
+
+constexpr std::string_view study_owner = "study";
+
+// Returns whether a study has this key outside its tables.
+bool is_general_key(const std::string& key) {
+  Study study;
+  const WrittenFields fields = written_fields(study);
+  return std::ranges::find(fields, key, &WrittenField::key) != fields.end();
+}
+
+// Refuses the sweep of a key that is not of a study, or that changes no result.
+void refuse_fixed_key(const Sweep& sweep) {
+  constexpr std::array<std::string_view, 5> fixed{"figures", "name", "published", "require", "title"};
+  const std::string owner = sweep.key.substr(0, sweep.key.find('.'));
+  if (std::ranges::find(fixed, owner) != fixed.end())
+    throw std::invalid_argument(
+        fmt::format("--sweep {}: {} changes no result; give it once, by --set", sweep.key, owner));
+  if (owner == sweep.key && !is_general_key(owner))
+    throw std::invalid_argument(
+        fmt::format("--sweep {}: a study has no such key; see: ikbench list studies any-arm", owner));
+}
+
+// Returns the names of a sweep's values. An arm's file has its stem as its name, unless two files have the same.
+std::vector<std::string> names_of(const Sweep& sweep) {
+  std::vector<std::string> names = sweep.values;
+  const auto has_twice = [](const std::vector<std::string>& texts) {
+    return std::set<std::string>(texts.begin(), texts.end()).size() < texts.size();
+  };
+  if (has_twice(names))
+    throw std::invalid_argument(fmt::format("--sweep {}: a value is given twice; give each value once", sweep.key));
+  for (const std::string& name : names)
+    if (!is_plain(name) || trimmed(name).empty())
+      throw std::invalid_argument(
+          fmt::format("--sweep {}: {} is not a value; expected {}", sweep.key, in_quotes(name), plain_text));
+  if (sweep.key != "robot") return names;
+  std::vector<std::string> stems;
+  for (const std::string& name : names)
+    stems.push_back(robots::is_arm_file(name) ? std::filesystem::path(name).stem().string() : name);
+  return has_twice(stems) ? names : stems;
+}
+
 // Refuses a key of [stop] without its table, which is a likely mistake.
 void refuse_stop_key(const TypedOverride& typed) {
   constexpr std::array<std::string_view, 5> stops{"seconds", "iterations", "evaluations", "tolerance_cm",
@@ -139,25 +212,48 @@ void apply_override(toml::table& study, const std::string& argument) {
 }
 
 std::string sweep_override(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
-    throw std::invalid_argument(
-        fmt::format("--sweep {}: expected setting=values, such as population=10,20,50 or ik_bat.alpha=0.5,0.9",
-                    text.substr(0, 100)));
-  }
+  const Sweep sweep(text);
   std::string values;
-  for (std::size_t from = equals + 1; from <= text.size();) {
-    const std::size_t end = std::min(text.find(',', from), text.size());
-    const std::string value = text.substr(from, end - from);
+  for (const std::string& value : sweep.values) {
     const std::optional<double> number = number_from(value);
     values += number && std::isfinite(*number) ? text_of(*number) : text_of(base::Json(value));
     values += ", ";
-    from = end + 1;
   }
-  const std::string setting = text.substr(0, equals);
-  return fmt::format("--sweep {}=[{}]",
-                     setting.find('.') == std::string::npos ? fmt::format("{}.{}", swept_owner, setting) : setting,
-                     values);
+  const bool is_of_all = sweep.key.find('.') == std::string::npos;
+  return fmt::format("--sweep {}=[{}]", is_of_all ? fmt::format("{}.{}", swept_owner, sweep.key) : sweep.key, values);
+}
+
+bool is_sweep_of_study(const std::string& text) {
+  const std::string key = text.substr(0, text.find('='));
+  if (const std::size_t dot = key.find('.'); dot != std::string::npos) {
+    const std::string owner = key.substr(0, dot);
+    return owner == study_owner || std::ranges::find(study_tables, owner) != study_tables.end();
+  }
+  const auto has_setting = [&](const SolverInfo& info) { return settings_of(info.name).contains(key); };
+  return std::ranges::none_of(all_solvers(), has_setting) && is_general_key(key);
+}
+
+std::vector<SweptStudy> swept_studies(const std::vector<std::string>& texts) {
+  std::vector<SweptStudy> studies{{}};
+  for (const std::string& text : texts) {
+    Sweep sweep(text);
+    if (sweep.key.starts_with(fmt::format("{}.", study_owner))) sweep.key.erase(0, study_owner.size() + 1);
+    refuse_fixed_key(sweep);
+    const std::vector<std::string> names = names_of(sweep);
+    if (studies.size() * names.size() > max_swept_studies)
+      throw std::invalid_argument(fmt::format("--sweep {}: more than {} studies; expected fewer values",
+                                              text.substr(0, 100), max_swept_studies));
+    std::vector<SweptStudy> longer;
+    for (const SweptStudy& shorter : studies) {
+      for (std::size_t i = 0; i < names.size(); ++i) {
+        SweptStudy& study = longer.emplace_back(shorter);
+        study.place.values.emplace_back(sweep.key, names[i]);
+        study.overrides.push_back(fmt::format("--sweep {}={}", sweep.key, sweep.values[i]));
+      }
+    }
+    studies = std::move(longer);
+  }
+  return studies;
 }
 
 }  // namespace ikbench::experiments

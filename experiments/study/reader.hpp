@@ -20,6 +20,19 @@ using Overrides = std::vector<std::string>;
 // have the setting ("alpha=0.5,0.9"). Throws std::invalid_argument for anything else.
 std::string sweep_override(const std::string& text);
 
+// A study of a sweep over keys of the study: the place of the study in the sweep, and the overrides that make it.
+struct SweptStudy {
+  results::SweepPlace place = {};
+  Overrides overrides = {};
+};
+// Returns whether --sweep TEXT is over a key of the study ("near_deg=1,10", "stop.seconds=0.001,1"). Otherwise it is
+// over a setting of solvers. A name that both have is the solvers'; "study.population=20,50" means the study's.
+bool is_sweep_of_study(const std::string& text);
+// Returns every combination of the values of keys of a study; the last key varies fastest. Throws std::invalid_argument
+// for a key that changes no result, a value that is given twice, and more than max_swept_studies.
+std::vector<SweptStudy> swept_studies(const std::vector<std::string>& texts);
+constexpr std::size_t max_swept_studies = 100;
+
 // Reads a study from a text; `source` is the name of the text in messages. Throws std::invalid_argument with the place,
 // the mistake and what is expected. For an unknown name, the message has the nearest known one.
 Study parse_study(std::string_view toml, std::string_view source, const Overrides& overrides = {});

@@ -161,7 +161,8 @@ Study load_study(const Store& store, const StoredStudy& stored, const Overrides&
     throw std::invalid_argument(fmt::format(
         "study {}: the store, of an older ikbench, does not say how its solvers were set; run its study file again",
         stored.name));
-  for (const char* made_of_study : {"arm", "departures", "points", "unreachable_targets"}) study.erase(made_of_study);
+  for (const char* made_of_study : {"arm", "departures", "points", "sweep", "unreachable_targets"})
+    study.erase(made_of_study);
   if (study.contains("figures")) study["figures"].erase("colours");
   if (study.contains("path")) study["path"].erase("targets");
   toml::table table = toml_of(study);

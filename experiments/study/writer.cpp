@@ -112,6 +112,11 @@ OrderedJson definition(const Study& study) {
   if (!fields.figures.colours.empty()) json["figures"]["colours"] = fields.figures.colours;
   json["stop"] = json_of(written_fields(fields.stop));
   if (!study.requirements.empty()) json["require"] = requirements_json(study.requirements);
+  if (!study.sweep.name.empty()) {
+    json["sweep"]["name"] = study.sweep.name;
+    for (const auto& [key, value] : study.sweep.values)
+      json["sweep"]["values"].push_back({{"key", key}, {"value", value}});
+  }
   if (fields.loop.period > 0) json["loop"] = json_of(written_fields(fields.loop));
   if (study.checker) {
     json["check"] = json_of(written_fields(fields.check));

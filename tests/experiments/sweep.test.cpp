@@ -128,3 +128,49 @@ TEST_CASE("a control that is swept or left out is none, which is told", "[sweep]
   CHECK(whole.plan.control.empty());
   CHECK(contains(statements_of(two_bats + "[analysis]\ncontrol = \"AB\"\n"), "unknown label \"AB\""));
 }
+
+TEST_CASE("a sweep is of the solvers if any has such an option, otherwise of the study", "[sweep]") {
+  for (const char* const of_study : {"near_deg=1,10", "robot=ur5e,my.urdf", "stop.seconds=1,2", "path.pitch_cm=1,2",
+                                     "runs=5,10", "study.population=20,50", "analysis.deadline_ms=1,5"})
+    CHECK(is_sweep_of_study(of_study));
+  for (const char* const of_solvers :
+       {"population=10,20", "bounds=clamp,initial", "alpha=0.5,0.9", "IK-BA.alpha=1,2", "mine.w=1,2", "alhpa=1,2"})
+    CHECK_FALSE(is_sweep_of_study(of_solvers));
+}
+
+TEST_CASE("a sweep of a study makes every combination, with its overrides", "[sweep]") {
+  const std::vector<SweptStudy> studies = swept_studies({"near_deg=1,.5e1", "robot=ur5e,arms/my.urdf"});
+  REQUIRE(studies.size() == 4);
+  using Values = std::vector<std::pair<std::string, std::string>>;
+  CHECK(studies[1].place.values == Values{{"near_deg", "1"}, {"robot", "my"}});
+  CHECK(studies[1].overrides == Overrides{"--sweep near_deg=1", "--sweep robot=arms/my.urdf"});
+  CHECK(studies[2].place.label() == "near_deg=5 robot=ur5e");
+  CHECK(swept_studies({"robot=a/my.urdf,b/my.urdf"})[1].place.label() == "b/my.urdf");
+  CHECK(swept_studies({"study.population=20,50"})[0].overrides == Overrides{"--sweep population=20"});
+  CHECK(swept_studies({"initial_deg=[0,0],[1,1]"})[1].overrides == Overrides{"--sweep initial_deg=[1,1]"});
+  CHECK(swept_studies({"seed=18446744073709551615,1"})[0].place.label() == "18446744073709551615");
+}
+
+TEST_CASE("mistakes in a sweep of a study name the value and what to do", "[sweep]") {
+  const auto mistake = [](const std::string& text) {
+    return complaint<std::invalid_argument>([&] { swept_studies({text}); });
+  };
+  CHECK(contains(mistake("near_deg=1,1.0"), "given twice"));
+  CHECK(contains(mistake("near_deg=1,"), "is not a value"));
+  CHECK(contains(mistake("figures.font=a,b"), "changes no result"));
+  CHECK(contains(mistake("name=a,b"), "changes no result"));
+  CHECK(contains(mistake("study.nothing=1,2"), "a study has no such key"));
+  std::string many = "seed=0";
+  for (int seed = 1; seed <= 100; ++seed) many += "," + std::to_string(seed);
+  CHECK(contains(mistake(many), "more than 100 studies"));
+}
+
+TEST_CASE("a study of a sweep keeps its place in the store, but is read again without it", "[sweep]") {
+  Study study = read(two_bats, {"--sweep runs=3"});
+  const std::string key = series_key(study, study.solvers[0]);
+  study.sweep = {.name = "my-by-runs", .values = {{"runs", "3"}}};
+  const StoredStudy stored = to_stored(study);
+  CHECK(stored.definition.sweep.name == "my-by-runs");
+  CHECK(stored.definition.sweep.label() == "3");
+  CHECK(stored.series[0].key == key);  // the place decides no solve
+}

@@ -109,6 +109,36 @@ TEST_CASE("studies come back with their series, in the order in which they were 
   CHECK(studies[1].name == "aardvark");
 }
 
+TEST_CASE("a sweep is saved in place of the sweep of that name, in its order", "[store]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "a.ikb", Store::Mode::write);
+  const auto swept = [](const std::string& value) {
+    results::StoredStudy study = sample_study("my near_deg=" + value);
+    study.definition = results::parse_definition(fmt::format(
+        R"({{"robot":"iiwa14","sweep":{{"name":"my-by-near_deg","values":[{{"key":"near_deg","value":"{}"}}]}}}})",
+        value));
+    return study;
+  };
+  CHECK(store.sweep("").empty());
+  store.save_sweep({swept("1"), swept("45")});
+  store.append({sample_record()});
+  store.save_study(sample_study("other"));
+  store.save_sweep({swept("1"), swept("10"), swept("45")});
+  const std::vector<results::StoredStudy> sweep = store.sweep("my-by-near_deg");
+  REQUIRE(sweep.size() == 3);
+  CHECK(sweep[1].definition.sweep.label() == "10");
+  store.save_sweep({swept("10")});
+  CHECK(store.sweep("my-by-near_deg").size() == 1);
+  CHECK(store.studies().size() == 2);
+  CHECK(series_of(store, "key-a").size() == 1);  // solves stay
+  CHECK(store.study("other").name == "other");
+  Store first(folder.path / "b.ikb", Store::Mode::write);
+  first.save_sweep({swept("1"), swept("10")});
+  CHECK(first.sweep("").size() == 2);
+  CHECK(contains(complaint<std::invalid_argument>([&] { first.study(""); }), "--study 'my near_deg=1'"));
+  CHECK(first.study("my near_deg=10").definition.sweep.label() == "10");
+}
+
 TEST_CASE("a study that is not there is told which are", "[store]") {
   const ScratchFolder folder;
   const auto file = folder.path / "a.ikb";
