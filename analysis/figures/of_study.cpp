@@ -129,7 +129,8 @@ std::optional<Figure> by_point_of(const JudgedStudy& judged, std::string_view co
   const Metric& metric = metric_named(column);
   const std::string caption =
       fmt::format("{} {} at each point of the path.", name == "mean" ? "Mean" : "Median", metric.name);
-  return curves(about_of(judged.study, metric, caption), "point", by_point(judged.study, column, look, average));
+  return curves(about_of(judged.study, metric, caption), {.title = "point"},
+                by_point(judged.study, column, look, average));
 }
 
 // Makes a figure of times; nullopt unless the times of all solvers are compared.
@@ -170,7 +171,7 @@ std::optional<Figure> error_by_iteration(const JudgedStudy& judged, const Look& 
   const auto [average, name] = average_that_decides(judged.study);
   return curves(about_of(judged.study, metric_named(error),
                          fmt::format("{} position error after each iteration.", name == "mean" ? "Mean" : "Median")),
-                "iteration", by_iteration(judged.study, look, average));
+                {.title = "iteration"}, by_iteration(judged.study, look, average));
 }
 
 const JudgedMetric& deciding(const JudgedStudy& judged) { return judged.metrics[judged.primary]; }
@@ -549,6 +550,8 @@ std::vector<Figure> of_file(const std::vector<JudgedMetric>& metrics, const Look
   }
   return all;
 }
+
+std::vector<std::string> not_compared_in_time(const JudgedStudy& judged) { return not_compared(judged, time); }
 
 std::span<const KindOfFigure> kinds_of_figures() { return all_kinds; }
 

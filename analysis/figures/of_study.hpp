@@ -30,6 +30,8 @@ std::span<const KindOfFigure> kinds_of_figures();
 // Returns the figures for which the study has values.
 std::vector<Figure> of_study(const judge::JudgedStudy& judged, const Look& look);
 
+// Returns the solvers whose times are not compared: all of them if no times are.
+std::vector<std::string> not_compared_in_time(const judge::JudgedStudy& judged);
 // Returns the figures of a user's file: boxes of each metric that has values, ranks and differences of the first.
 std::vector<Figure> of_file(const std::vector<judge::JudgedMetric>& metrics, const Look& look);
 

@@ -217,7 +217,7 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
   return figure;
 }
 
-std::optional<Figure> curves(const About& about, const std::string& x_axis, std::vector<Line> all) {
+std::optional<Figure> curves(const About& about, const CurveAxis& axis, std::vector<Line> all) {
   std::erase_if(all, [](const Line& line) {
     return std::ranges::none_of(line.rows, [](const CurveRow& row) { return std::isfinite(row.y); });
   });
@@ -227,15 +227,15 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, std:
   std::vector<double> xs, ys;
   std::vector<std::string> back, front;
   std::vector<Named> ends;
-  figure.data = fmt::format("# {}; {}; low, high\n", x_axis, about.axis());
+  figure.data = fmt::format("# {}; {}; low, high\n", one_line(axis.title), about.axis());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Line& line = all[i];
     figure.data += fmt::format("{}# {}\n", i == 0 ? "" : "\n\n", one_line(line.label));
     for (const CurveRow& row : line.rows) figure.data += data_row({row.x, row.y, row.low, row.high});
     if (i >= drawn) continue;
-    const bool has_band =
-        all.size() <= most_bands && std::ranges::any_of(
-                                        line.rows, [](double high) { return !std::isnan(high); }, &CurveRow::high);
+    const bool has_band = (axis.has_bars || all.size() <= most_bands) &&
+                          std::ranges::any_of(
+                              line.rows, [](double high) { return !std::isnan(high); }, &CurveRow::high);
     const std::string style =
         line.style > 0 ? fmt::format("ls {}", line.style) : fmt::format("lw 0.7 dt 2 {} pt 6 ps 0.9", grey);
     Named& end = ends.emplace_back(Named{line.label, line.style});
@@ -246,15 +246,20 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, std:
       if (!std::isnan(row.y)) end.y = row.y;
     }
     const std::string rows = fmt::format("data index {} using 1:", i);
-    if (has_band)
+    if (has_band && axis.has_bars)
+      back.push_back(
+          fmt::format("{}(place_y($2)):(place_y($3)):(place_y($4)) with yerrorbars {} lw 0.7 ps 0", rows, style));
+    else if (has_band)
       back.push_back(fmt::format(
           "{}(place_y($3)):(place_y($4)) with filledcurves {} fs transparent solid 0.13 noborder", rows, style));
     front.push_back(
         fmt::format("{}(place_y($2)) with linespoints {} pointinterval {}", rows, style, 1 + line.rows.size() / 25));
   }
-  if (!back.empty()) figure.caption += " Bands: quartiles.";
+  if (!back.empty()) figure.caption += axis.has_bars ? " Bars: 95 % intervals." : " Bands: quartiles.";
   const Axis y = value_axis('y', ys, about, Begins::at_zero);
-  figure.settings += y.settings + linear_axis('x', xs, x_axis, Begins::at_first).settings;
+  const Axis x = axis.may_be_logarithmic ? value_axis('x', xs, {.quantity = axis.title}, Begins::at_first)
+                                         : linear_axis('x', xs, axis.title, Begins::at_first);
+  figure.settings += y.settings + x.settings;
   for (Named& end : ends) end.y = y.share_of(end.y);
   add_names(figure, ends);
   std::ranges::move(front, std::back_inserter(back));

@@ -47,8 +47,14 @@ struct Line {
   int style = 1;  // 0: grey rings, of printed numbers
   std::vector<CurveRow> rows = {};
 };
+// The x axis of a figure of curves, and how `low` and `high` are drawn.
+struct CurveAxis {
+  std::string title;
+  bool has_bars = false;            // bars, which are 95 % intervals; otherwise bands, which are quartiles
+  bool may_be_logarithmic = false;  // if the values span a factor of 30
+};
 // Returns a figure of curves.
-std::optional<Figure> curves(const About& about, const std::string& x_axis, std::vector<Line> all);
+std::optional<Figure> curves(const About& about, const CurveAxis& axis, std::vector<Line> all);
 
 // The costs of a solver's successes among all attempts.
 struct Successes {

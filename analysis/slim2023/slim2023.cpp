@@ -121,7 +121,7 @@ std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
     const std::string_view average = is_time ? "median" : "mean";
     const Metric& drawn = metric_named(metric.column);
     About about = about_of(study, drawn, fmt::format("The {} at each point, {} of the runs.", drawn.name, average));
-    figures.add(metric.curves, curves(about, "point",
+    figures.add(metric.curves, curves(about, {.title = "point"},
                                       by_point(study, metric.column, look, is_time ? Average::median : Average::mean)));
     const std::optional<JudgedMetric> values = by_runs(judged, metric.column);
     if (!values) continue;
@@ -155,9 +155,9 @@ std::vector<Figure> of_circle(const StudyResults& study, const Look& look) {
     beside.rows.push_back({printed.number(row, "point"), printed.number(row, "error_cm")});
   About about = about_of(study, metric_named(error), "The error at each point, beside Table 8's.");
   about.floor = 0;  // all differences are rounding
-  figures.add(17, curves(about, "point", errors));
+  figures.add(17, curves(about, {.title = "point"}, errors));
   about.caption = "Best error after each iteration, mean of all solves.";
-  figures.add(18, curves(about, "iteration", by_iteration(study, look, Average::mean)));
+  figures.add(18, curves(about, {.title = "iteration"}, by_iteration(study, look, Average::mean)));
   return figures.all;
 }
 

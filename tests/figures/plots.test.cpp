@@ -26,7 +26,7 @@ std::vector<Figure> every_kind(const std::string& label) {
                                  .printed = {0, 1, 2},
                                  .remark = label},
                                   {.label = label, .style = 9}}),
-           curves(named("curves"), label,
+           curves(named("curves"), {.title = label},
                   {{label, 1, {{1, 0, 0, 0.5}, {2, 3, 1, 4}}}, {label, 0, {{1, 1000}, {2, nowhere}}}, {label, 2}}),
            shares(named("shares"), "solved", {{label, 1, {3, 5}, 4}, {label, 2, {}, 4}}, 4),
            ranks(named("ranks"), {{label, 1, 1.2}, {label + "2", 2, 1.5, {"x"}}, {"x", 3, 3, {label + "2"}}}, 0.9),
@@ -100,7 +100,7 @@ TEST_CASE("every kind is drawn, and no label of a user is run or breaks the pict
 TEST_CASE("a figure without a mark is none", "[plots]") {
   const About about = error_in("a");
   CHECK_FALSE(boxes(about, {{.label = "A", .remark = "3 missing"}}));
-  CHECK_FALSE(curves(about, "point", {{.label = "A", .rows = {{1, nowhere}}}}));
+  CHECK_FALSE(curves(about, {.title = "point"}, {{.label = "A", .rows = {{1, nowhere}}}}));
   CHECK_FALSE(shares(about, "solved", {{"A", 1, {}, 4}, {"B", 2, {2001}, 4}}, 2));
   CHECK_FALSE(differences(about, {{.label = "A - B", .verdict = "not decided"}}, false));
   CHECK_FALSE(overview(about, "x", {{.label = "A", .x = 1}, {.label = "B", .x = 1, .y = 1}}));  // one is none
@@ -111,7 +111,7 @@ TEST_CASE("seven lines are drawn, their names in order and none above another", 
   std::vector<Line> lines;
   for (int i = 0; i < 10; ++i)
     lines.push_back({fmt::format("solver {}", i), i + 1, {{1, 5}, {2, i < 5 ? 9 : 6.0 / (i + 1)}}});
-  const Figure figure = *curves(error_in("c"), "point", lines);
+  const Figure figure = *curves(error_in("c"), {.title = "point"}, lines);
   CHECK(figure.caption == "c Left out: solver 7, solver 8 and solver 9; only 7 are drawn.");
   CHECK(contains(figure.data, "# solver 9\n1 5 NaN NaN\n2 0.6 NaN NaN\n"));
   CHECK_FALSE(contains(figure.plot, "data index 7"));
@@ -128,13 +128,13 @@ TEST_CASE("seven lines are drawn, their names in order and none above another", 
     if (i > 0) CHECK(heights[i - 1] - heights[i] >= Approx(row));
   }
   lines[9].label += " by a name that is long";  // not drawn, so that it takes no room
-  CHECK(curves(error_in("c"), "point", lines)->legend == 0);
+  CHECK(curves(error_in("c"), {.title = "point"}, lines)->legend == 0);
   lines[0].label = "solver 0 by a name that is long";
-  const Figure below = *curves(error_in("c"), "point", lines);
+  const Figure below = *curves(error_in("c"), {.title = "point"}, lines);
   CHECK(below.legend == 7);
   CHECK(contains(below.settings, "set label 'solver 6' at screen 0.05, screen up(0.35)"));
   lines.resize(1);
-  CHECK_FALSE(contains(curves(error_in("c"), "point", lines)->settings, "solver 0"));
+  CHECK_FALSE(contains(curves(error_in("c"), {.title = "point"}, lines)->settings, "solver 0"));
 }
 
 TEST_CASE("a box has its five numbers, what is printed, and all values", "[plots]") {
@@ -166,7 +166,7 @@ TEST_CASE("an axis is as wide for values that differ in their last digit as for 
 }
 
 TEST_CASE("curves have a row for each x", "[plots]") {
-  const Figure figure = *curves(error_in("c"), "point", {{"A", 1, {{1, 0.5, 0.25, 1}, {2, 0.125}}}});
+  const Figure figure = *curves(error_in("c"), {.title = "point"}, {{"A", 1, {{1, 0.5, 0.25, 1}, {2, 0.125}}}});
   CHECK(figure.data == "# point; error [cm]; low, high\n# A\n1 0.5 0.25 1\n2 0.125 NaN NaN\n");
 }
 
