@@ -9,12 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "analysis/judge/judge.hpp"
-#include "analysis/show/publish.hpp"
-#include "analysis/show/result_tables.hpp"
+#include "base/names.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
-#include "experiments/environment.hpp"
+#include "cli/studies.hpp"
 
 namespace ikbench::cli {
 
@@ -33,38 +31,30 @@ const std::vector<std::string>& distinct_names(const std::vector<std::string>& n
   return files;
 }
 
-// Writes one table of several stores: solvers by studies.
-void write_studies(const std::vector<std::string>& files, const std::string& study, const std::string& out,
-                   const ReportArguments& report) {
+// Reports the studies of several stores. Returns the exit code.
+int report_stores(const std::vector<std::string>& files, const std::string& study, const std::string& out,
+                  const ReportArguments& report) {
   if (out.empty()) throw std::invalid_argument("several stores make one table; say where to write it: --out FOLDER");
-  if (report.is_json || !report.figures.empty() || !report.styles.empty() || !report.beside.empty() ||
-      !report.requirements.empty())
-    throw std::invalid_argument(
-        "several stores make one table; leave out --json, --figures, --style, --beside and --require");
-  std::vector<show::ReportModel> studies;
+  std::vector<std::unique_ptr<Store>> stores;
+  std::vector<StoredStudy> studies;
   std::vector<std::string> names, arms, folders;
   std::set<std::string> keys;  // of the series of all stores
   for (const std::string& file : files) {
-    const Store store(file, Store::Mode::read);
-    const StoredStudy entry = store.study(study);
+    const Store& store = *stores.emplace_back(std::make_unique<Store>(file, Store::Mode::read));
+    const StoredStudy& entry = studies.emplace_back(store.study(study));
     for (const results::Series& series : entry.series)
       if (!keys.insert(series.key).second)
         throw std::invalid_argument(file + ": an earlier store has the same " + series.label +
                                     "; leave this store out");
-    const judge::JudgedStudy judged = judge::judge(read_checked(store, entry));
     names.push_back(entry.name);
-    arms.push_back(judged.study.definition.robot);
+    arms.push_back(entry.definition.robot);
     folders.push_back(std::filesystem::path(file).parent_path().filename());
-    studies.push_back(show::make_report_model(judged));
   }
-  show::Table table = show::studies_table(studies, distinct_names(names, arms, folders, files));
-  const auto unit = &show::Column::unit;
-  if (files.size() > 6 && std::ranges::count(table.columns, table.columns.back().unit, unit) == std::ssize(files))
-    table = show::transposed(table);
-  const std::filesystem::path folder = out;
-  show::reserve_files(folder, show::report_files({table.name}, {}));
-  show::write_table(table, table, folder / "tables", program_name());
-  fmt::print("{}Table: {}.*\n", printable(show::to_text(table)), printable((folder / "tables" / table.name).string()));
+  const std::vector<std::string>& shown = distinct_names(names, arms, folders, files);
+  StudiesToReport all{.title = base::counted(std::ssize(files), "studies"), .keys = {}, .studies = {}};
+  for (std::size_t i = 0; i < files.size(); ++i)
+    all.studies.push_back({.store = *stores[i], .study = studies[i], .name = shown[i]});
+  return report_studies(all, out, report);
 }
 
 }  // namespace
@@ -89,12 +79,19 @@ void add_report(const Command& command, Invocation& invocation) {
       "  ikbench report out/panda/store.sqlite out/ur5e/store.sqlite --out out/both\n"
       "  ikbench report out/my/store.sqlite --style journal.toml");
   command.callback([arguments, &invocation] {
-    if (arguments->stores.size() > 1)
-      return write_studies(arguments->stores, arguments->study, arguments->out, arguments->report);
+    if (arguments->stores.size() > 1) {
+      invocation.exit_code = report_stores(arguments->stores, arguments->study, arguments->out, arguments->report);
+      return;
+    }
     const std::string& file = arguments->stores.front();
     const std::filesystem::path folder =
         arguments->out.empty() ? std::filesystem::path(file).parent_path() : std::filesystem::path(arguments->out);
     const Store store(file, Store::Mode::read);
+    if (const std::vector<StoredStudy> sweep = store.sweep(arguments->study); !sweep.empty()) {
+      invocation.exit_code =
+          report_studies(studies_of_sweep(store, sweep), folder.empty() ? "." : folder, arguments->report);
+      return;
+    }
     const StoredStudy study = store.study(arguments->study);
     invocation.exit_code = write_and_announce(store, study, folder.empty() ? "." : folder, arguments->report,
                                               imported_results(study, arguments->report));

@@ -80,19 +80,6 @@ std::vector<std::string> never_answering(const judge::StudyResults& study) {
   return labels;
 }
 
-// Prints which solvers gave no answer in any solve; returns false if there are none.
-bool print_never_answering(const judge::StudyResults& results, bool is_json) {
-  const std::vector<std::string> silent = never_answering(results);
-  if (silent.empty()) return false;
-  const std::string text =
-      fmt::format("{} gave no answer in any solve (crash, timeout or protocol error).", base::listed(silent));
-  if (is_json)
-    print_message(text);
-  else
-    fmt::print("{}\n", wrapped(text));
-  return true;
-}
-
 // Returns the results of the library solvers that are shipped with the program. The archive lacks a definition, so the
 // definition of the study is made here.
 judge::StudyResults results_of_archive(const std::string& robot) {
@@ -133,7 +120,20 @@ std::vector<Requirement> requirements_in(const ReportArguments& arguments) {
   return requirements;
 }
 
-// Judges a study, and checks the requirements of the command, otherwise those of the study.
+}  // namespace
+
+bool print_never_answering(const judge::StudyResults& results, bool is_json) {
+  const std::vector<std::string> silent = never_answering(results);
+  if (silent.empty()) return false;
+  const std::string text =
+      fmt::format("{} gave no answer in any solve (crash, timeout or protocol error).", base::listed(silent));
+  if (is_json)
+    print_message(text);
+  else
+    fmt::print("{}\n", wrapped(text));
+  return true;
+}
+
 judge::JudgedStudy judge_with_requirements(judge::StudyResults results, const StoredStudy& study,
                                            const ReportArguments& arguments,
                                            const std::optional<judge::StudyResults>& beside) {
@@ -145,8 +145,6 @@ judge::JudgedStudy judge_with_requirements(judge::StudyResults results, const St
       judge::check_requirements(judged, requirements, experiments::own_solvers_of(study), arguments.is_strict);
   return judged;
 }
-
-}  // namespace
 
 void add_report_options(const Command& command, ReportArguments& arguments, bool is_of_study) {
   if (is_of_study) {
@@ -211,22 +209,14 @@ std::vector<std::string> citation_keys_of(std::string_view name) {
   return keys;
 }
 
-void write_and_print(show::Report report, const std::filesystem::path& folder, const ReportArguments& arguments,
-                     const FigureStyle& style, const std::string& screen) {
-  std::set<std::string> names, keys;
-  for (const Series& series : report.study.series)
-    names.insert({series.algorithm, report.study.definition.robot, report.study.definition.published});
-  names.erase("");
-  for (const std::string& name : names) std::ranges::copy(citation_keys_of(name), std::inserter(keys, keys.end()));
-  report.citation_keys.assign(keys.begin(), keys.end());
-  report.references = references[0].text;
+show::WrittenReport write_with_progress(
+    const ReportArguments& arguments, const FigureStyle& style,
+    const std::function<show::WrittenReport(const figures::RenderOptions& options)>& write) {
   std::optional<ProgressBar> bar(std::in_place, "drawing", "figures");
-  show::WrittenReport written = show::write_report(
-      report, folder,
-      {.only = arguments.figures,
-       .progress = [&](std::int64_t done, std::int64_t total) { bar->show({.done = done, .total = total}); },
-       .style = style},
-      program_name());
+  show::WrittenReport written =
+      write({.only = arguments.figures,
+             .progress = [&](std::int64_t done, std::int64_t total) { bar->show({.done = done, .total = total}); },
+             .style = style});
   bar.reset();  // clears the line of the bar for the screen
   for (const std::string& warning : written.warnings) warn(warning);
   const auto is_there = [&](const std::string& name) {
@@ -237,6 +227,21 @@ void write_and_print(show::Report report, const std::filesystem::path& folder, c
   for (const std::string& name : arguments.figures)
     if (name != "none" && !is_there(name))
       warn(fmt::format("there is nothing to draw for {}; see what it shows: ikbench list figures", name));
+  return written;
+}
+
+void write_and_print(show::Report report, const std::filesystem::path& folder, const ReportArguments& arguments,
+                     const FigureStyle& style, const std::string& screen) {
+  std::set<std::string> names, keys;
+  for (const Series& series : report.study.series)
+    names.insert({series.algorithm, report.study.definition.robot, report.study.definition.published});
+  names.erase("");
+  for (const std::string& name : names) std::ranges::copy(citation_keys_of(name), std::inserter(keys, keys.end()));
+  report.citation_keys.assign(keys.begin(), keys.end());
+  report.references = references[0].text;
+  const show::WrittenReport written = write_with_progress(arguments, style, [&](const figures::RenderOptions& options) {
+    return show::write_report(report, folder, options, program_name());
+  });
   if (arguments.is_json) {
     base::OrderedJson json = show::to_json(report.model);
     json["files"] = written.files;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,13 @@
 
 namespace ikbench::show {
 struct Report;
+struct WrittenReport;
+}  // namespace ikbench::show
+namespace ikbench::judge {
+struct JudgedStudy;
+}
+namespace ikbench::figures {
+struct RenderOptions;
 }
 
 namespace ikbench::cli {
@@ -38,6 +46,18 @@ results::FigureStyle apply_style(results::FigureStyle style, const std::vector<s
                                  const ReportArguments& arguments);
 // Returns the labels of the study's series, in their order.
 std::vector<std::string> labels_of(const results::StoredStudy& stored);
+
+// Judges a study with the results of --beside, and checks the requirements of the command, otherwise those of the
+// study.
+judge::JudgedStudy judge_with_requirements(judge::StudyResults results, const results::StoredStudy& study,
+                                           const ReportArguments& arguments,
+                                           const std::optional<judge::StudyResults>& beside = {});
+// Prints which solvers gave no answer in any solve, for JSON on standard error; returns false if there are none.
+bool print_never_answering(const judge::StudyResults& results, bool is_json);
+// Writes a report with a progress bar of the figures, and prints the warnings. `write` gets the options.
+show::WrittenReport write_with_progress(
+    const ReportArguments& arguments, const results::FigureStyle& style,
+    const std::function<show::WrittenReport(const figures::RenderOptions& options)>& write);
 
 // Returns the keys of docs/references.bib whose keywords name this solver, arm or paper.
 std::vector<std::string> citation_keys_of(std::string_view name);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 #include <system_error>
 
@@ -91,6 +92,7 @@ std::vector<std::pair<std::string, std::string>> figure_list() {
   std::vector<std::pair<std::string, std::string>> all;
   for (const figures::KindOfFigure& kind : figures::kinds_of_figures()) all.emplace_back(kind.name, kind.meaning);
   all.emplace_back("boxes", "of a file that stats reads");
+  all.emplace_back("sweep", "of a sweep over numbers: targets solved, and time, by the value");
   all.emplace_back("printed", "of beeson2015, haviland2023: shares solved minus the printed ones");
   all.emplace_back("figure", "of slim2023: figure-5 to figure-18");
   return all;
@@ -152,11 +154,12 @@ std::vector<std::string> reserve_files(const fs::path& folder, std::vector<std::
   return earlier;
 }
 
-WrittenReport write_report(const Report& report, const fs::path& folder, const figures::RenderOptions& options,
-                           const std::string& program) {
+WrittenReport publish(Publication publication, const fs::path& folder, const figures::RenderOptions& options,
+                      const std::string& program) {
   for (const char* name : own_files) base::refuse_input(folder / name);
-  std::vector<Blocks> sections = report_sections(report);
-  const std::vector<std::string> unused = figures::reword(all_in<figures::Figure>(sections), options.style);
+  std::vector<Blocks>& sections = publication.sections;
+  const Report* const report = publication.report;
+  std::vector<std::string> late_warnings = figures::reword(all_in<figures::Figure>(sections), options.style);
   const auto is_left_out = [&](const Block& block) {
     const auto* const figure = std::get_if<figures::Figure>(&block);
     const auto is_named = [&](const std::string& name) { return figures::is_meant(figure->name, name); };
@@ -172,34 +175,46 @@ WrittenReport write_report(const Report& report, const fs::path& folder, const f
   WrittenReport written{.page = folder / own_files[0]};
   std::vector<std::string>& files = written.files = report_files(names, figures);
   for (const std::string file : article_files)
-    if (file != "references.bib" || !report.citation_keys.empty()) files.push_back("article/" + file);
+    if (report != nullptr && (file != "references.bib" || !report->citation_keys.empty()))
+      files.push_back("article/" + file);
   files.insert(files.end(), own_files.begin(), own_files.end() - 1);
   std::vector<std::string> earlier = reserve_files(folder, files);
   std::erase_if(earlier, [](const std::string& file) { return !may_be_of_report(file); });
   for (const std::string& file : earlier) base::refuse_input(folder / file);
   written.warnings = figures::write_figures(figures, folder / "figures", options);
-  for (const Table* table : tables) write_table(*table, article_table(*table, report), folder / "tables", program);
-  write_article(report, names, figures, folder, program);
+  for (const Table* table : tables)
+    write_table(*table, report == nullptr ? *table : article_table(*table, *report), folder / "tables", program);
+  if (report != nullptr) write_article(*report, names, figures, folder, program);
   // Pictures that were not drawn are not listed. is_regular_file throws if the system cannot say whether a file exists.
   std::erase_if(files, [&](const fs::path& file) {
     return file.parent_path() == "figures" && !fs::is_regular_file(folder / file);
   });
-  if (!report.study.series.empty() && fs::is_regular_file(folder / own_files[3])) files.emplace_back(own_files[3]);
+  const bool has_solves = report != nullptr && !report->study.series.empty();
+  if (has_solves && fs::is_regular_file(folder / own_files[3])) files.emplace_back(own_files[3]);
   std::ranges::sort(files);
   remove_earlier(folder, earlier, files);
-  Json json = to_json(report.model);
-  json["files"] = files;
-  base::write_file(folder / own_files[2], base::text_of(json, 1) + '\n');
+  publication.json["files"] = files;
+  base::write_file(folder / own_files[2], base::text_of(publication.json, 1) + '\n');
   leave_out_undrawn(sections, folder, written.warnings);
-  written.warnings.insert(written.warnings.end(), unused.begin(), unused.end());
+  std::ranges::move(late_warnings, std::back_inserter(written.warnings));
+  std::ranges::move(publication.warnings, std::back_inserter(written.warnings));
   base::write_file(folder / "report.md", to_markdown(sections, folder));
-  std::optional<std::string> arm = animation_json(report.study, report.model.solvers());
-  if (arm && threejs_source().empty()) {
-    written.warnings.emplace_back("the page has no moving arm: this ikbench was built without three.js");
-    arm.reset();
-  }
-  base::write_file(written.page, to_html_page(title_of(report.study), sections, arm, folder, program));
+  base::write_file(written.page, to_html_page(publication.title, sections, publication.arm, folder, program));
   return written;
+}
+
+WrittenReport write_report(const Report& report, const fs::path& folder, const figures::RenderOptions& options,
+                           const std::string& program) {
+  Publication publication{.title = title_of(report.study),
+                          .sections = report_sections(report),
+                          .json = to_json(report.model),
+                          .report = &report,
+                          .arm = animation_json(report.study, report.model.solvers())};
+  if (publication.arm && threejs_source().empty()) {
+    publication.warnings.emplace_back("the page has no moving arm: this ikbench was built without three.js");
+    publication.arm.reset();
+  }
+  return publish(std::move(publication), folder, options, program);
 }
 
 }  // namespace ikbench::show

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "analysis/show/report.hpp"
+#include "base/json.hpp"
 
 namespace ikbench::show {
 
@@ -38,6 +40,18 @@ std::vector<std::string> report_files(const std::vector<std::string>& tables,
 // next report knows them even if the program is killed. Returns the files that were listed before. Throws
 // std::invalid_argument if a file exists and was not listed, or if a folder of the report is a symbolic link.
 std::vector<std::string> reserve_files(const std::filesystem::path& folder, std::vector<std::string> files);
+// The parts of a report that are written.
+struct Publication {
+  std::string title;
+  std::vector<Blocks> sections;
+  base::OrderedJson json;                  // results.json, without the list of files
+  const Report* report = nullptr;          // of one study, whose article is written, too; null: no article
+  std::optional<std::string> arm = {};     // the moving arm of the page (moving_arm.hpp)
+  std::vector<std::string> warnings = {};  // beside those of the figures
+};
+// Writes the parts, as write_report does.
+WrittenReport publish(Publication publication, const std::filesystem::path& folder,
+                      const figures::RenderOptions& options, const std::string& program);
 // Writes report.html, report.md, results.json, tables/, figures/ and article/. The study's solves.csv must have been
 // written before (results/export.hpp). Removes the files of an earlier report that this report does not have. `program`
 // is the name and version that the files mention. Throws as base::refuse_place if the folder cannot be written.

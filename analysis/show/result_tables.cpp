@@ -32,17 +32,6 @@ constexpr std::size_t max_listed_pairs = 10'000;  // not shown, but in files; 40
 
 const std::string star = "*", plus = "+", exclamation = "!";
 
-// Returns "* worse and + better than DLS, ! not tested", of the marks that occur.
-std::string marks_text(const std::set<std::string>& marks, const std::string& reference,
-                       const std::string& why_not_tested = "") {
-  std::vector<std::string> verdicts, texts;
-  if (marks.contains(star)) verdicts.push_back(star + " worse");
-  if (marks.contains(plus)) verdicts.push_back(plus + " better");
-  if (!verdicts.empty()) texts.push_back(listed(verdicts) + " than " + reference);
-  if (marks.contains(exclamation)) texts.push_back(exclamation + " not tested" + why_not_tested);
-  return listed(texts, ", ");
-}
-
 // Returns the cell of a group's value, which may only be an upper bound.
 Cell value_cell(const Group& group, double value) {
   if (std::isnan(value)) return {};
@@ -432,51 +421,19 @@ Table results_table(const ReportModel& model, bool is_brief) {
   return table;
 }
 
-Table studies_table(const std::vector<ReportModel>& studies, const std::vector<std::string>& names) {
-  Table table{
-      .name = "studies", .caption = "The deciding metric of each study", .columns = {{"solver"}}, .is_of_study = false};
-  NamesByPhrase quantities, references;  // studies by quantity, and by reference
-  std::set<std::string> all_marks;
-  for (std::size_t s = 0; s < studies.size(); ++s) {
-    Table of_study = results_table(studies[s]);
-    std::set<std::string> marks;
-    table.columns.push_back({.name = names[s], .unit = of_study.columns[1].unit});
-    quantities.add(of_study.columns[1].name, names[s]);
-    for (std::vector<Cell>& of_solver : of_study.rows) {
-      const auto name_of = [](const std::vector<Cell>& cells) { return std::get<std::string>(cells[0]); };
-      auto row = std::ranges::find(table.rows, name_of(of_solver), name_of);
-      if (row == table.rows.end()) row = table.rows.insert(row, {of_solver[0]});
-      row->resize(s + 1, MissingCell{"not in the study"});
-      if (auto* const marked = std::get_if<ValueCell>(&of_solver[1])) {
-        marks.insert(marked->mark);
-        marked->interval.reset();
-        marked->sd.reset();
-      }
-      row->push_back(of_solver[1]);
-    }
-    if (marks.contains(star) || marks.contains(plus))
-      references.add((studies[s].primary().plan.control.empty() ? "" : "the control ") +
-                         compared_with(studies[s], reference_of(studies[s])),
-                     names[s]);
-    all_marks.merge(marks);
-  }
-  for (auto& row : table.rows) row.resize(table.columns.size(), MissingCell{"not in the study"});
-  std::vector<std::string> sentences{"Shown: " + listed(quantities.formatted("{} ({})")),
-                                     marks_text(all_marks, listed(references.formatted("{} ({})"), " or ")),
-                                     "Each study is analysed separately"};
-  std::erase(sentences, "");
-  table.notes = {fmt::format("{}.", fmt::join(sentences, ". "))};
-  return table;
+std::string marks_text(const std::set<std::string>& marks, const std::string& reference,
+                       const std::string& why_not_tested) {
+  std::vector<std::string> verdicts, texts;
+  if (marks.contains(star)) verdicts.push_back(star + " worse");
+  if (marks.contains(plus)) verdicts.push_back(plus + " better");
+  if (!verdicts.empty()) texts.push_back(listed(verdicts) + " than " + reference);
+  if (marks.contains(exclamation)) texts.push_back(exclamation + " not tested" + why_not_tested);
+  return listed(texts, ", ");
 }
 
-Table transposed(const Table& studies) {
-  Table turned{.name = studies.name, .caption = studies.caption, .columns = {{"study"}}, .notes = studies.notes};
-  for (std::size_t c = 1; c < studies.columns.size(); ++c) turned.rows.push_back({studies.columns[c].name});
-  for (const auto& row : studies.rows) {
-    turned.columns.push_back({.name = std::get<std::string>(row[0]), .unit = studies.columns[1].unit});
-    for (std::size_t c = 1; c < row.size(); ++c) turned.rows[c - 1].push_back(row[c]);
-  }
-  return turned;
+std::string reference_of_marks(const ReportModel& model) {
+  const std::string control = model.primary().plan.control.empty() ? "" : "the control ";
+  return control + compared_with(model, reference_of(model));
 }
 
 Table pairs_table(const ReportModel& model) {

@@ -1,9 +1,10 @@
-// The tables of a report model, the table of several studies, and a report model as JSON. The tables have the numbers
+// The tables of a report model, and a report model as JSON. The tables have the numbers
 // of the headline's sentences. Pages, screens and files are made of these tables. The columns are documented in
 // docs/reference/report.md.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,12 +16,11 @@ namespace ikbench::show {
 // Returns the table of results: a row per solver, best first, and a column per metric. A brief table has only the notes
 // that explain its marks and numbers.
 Table results_table(const ReportModel& model, bool is_brief = false);
-// Returns a row per solver and a column per study, which is the first metric's column in that study's table of results.
-// The rows are in the order of the first study. Each study was judged by itself.
-Table studies_table(const std::vector<ReportModel>& studies, const std::vector<std::string>& names);
-// Returns a studies_table with a row per study, for studies that are too many for columns. All studies must have the
-// same unit.
-Table transposed(const Table& studies);
+// Returns "* worse and + better than DLS, ! not tested", of the marks that occur in a table of results.
+std::string marks_text(const std::set<std::string>& marks, const std::string& reference,
+                       const std::string& why_not_tested = "");
+// Returns the solver that the marks of the deciding metric compare with: "LM", "the control LM", "some other solver".
+std::string reference_of_marks(const ReportModel& model);
 // Returns a row per pair and metric. The visible rows are the pairs in the metrics of the headline; of more than 15
 // pairs only those with the reference.
 Table pairs_table(const ReportModel& model);

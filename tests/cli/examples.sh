@@ -92,11 +92,3 @@ sed -e 's/robot = .*/robot = "ur5e.urdf"\nruns = 2\ninitial_deg = [0, -90, 90, -
 succeeds run rectangle.toml --figures none --out rectangle --json
 json '[(row["n"], row["mean"]) for row in of["groups"] if row["metric"] == "targets solved"] == [(1, 100)]'
 equal "solves of the rectangle" "$(solves rectangle/store.sqlite)" 62
-
-# What clamping costs, on two arms.
-PATH=$(dirname "$program"):$PATH sh "$examples/joint-limits.sh" planar_2 ur5e >.limits 2>&1 || fail "$(<.limits)"
-equal "rows of joint-limits.sh" "$(grep -c ',200,200,' .limits)" 6
-
-# The study any-arm on some arms.
-PATH=$(dirname "$program"):$PATH sh "$examples/every-arm.sh" planar_2 dobot_magician >.out
-equal "solvers of every arm" "$(wc -l <out/every-arm/positions/tables/studies.csv)" 9

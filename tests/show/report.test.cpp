@@ -248,21 +248,6 @@ TEST_CASE("only files that a report has written are replaced or removed", "[show
   CHECK_NOTHROW(reserve_files(killed, report_files({"results"}, {})));
 }
 
-TEST_CASE("of several studies each is a column, solvers in the order of the first", "[show]") {
-  const auto of = [](int a, int b) {
-    return make_report_model({judged(shares({{"A", solved(a)}, {"B", solved(b)}}))});
-  };
-  const std::vector answers{of(20, 10), make_report_model({judged(shares({{"B", solved(20)}, {"C", solved(5)}}))})};
-  const Table table = studies_table(answers, {"on-one", "on-two"});
-  CHECK(table.columns[2].name == "on-two");
-  CHECK(table.rows.size() == 3);
-  CHECK(std::get<std::string>(table.rows[0][0]) == "A");
-  CHECK(std::get<ValueCell>(table.rows[1][1]).mark == "*");
-  CHECK(std::get<MissingCell>(table.rows[2][1]).reason == "not in the study");
-  CHECK_FALSE(std::get<ValueCell>(table.rows[1][1]).interval);  // nor does a note speak of one
-  CHECK(to_text({.columns = {{"solver"}}, .rows = {{std::string(50, 'x')}}}).size() < 50);  // nor is a name long
-}
-
 TEST_CASE("a table says no more below it than it has", "[show]") {
   const auto of = [](judge::MetricSamples samples) { return make_report_model({judged(std::move(samples))}); };
   const ReportModel of_shares = of(shares({{"A", solved(20)}, {"B", solved(9)}}));
@@ -340,7 +325,7 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
   const ReportModel second = make_report_model(
       {judged(numbers("error", "error", "mm", {{"A", wide}, {"B", b}, {"C", values_around(6, 0.5)}}))});
   CHECK(contains(to_text(results_table(second)), "C        6 mm (4.7-7.7) *\nMedians (quartiles). * worse than some"));
-  CHECK(contains(studies_table({second}, {"one"}).notes[0], "* worse than some other solver (one)"));
+  CHECK(reference_of_marks(second) == "some other solver");
 }
 
 TEST_CASE("where only the reference was timed on a busy machine, it alone has the mark", "[show]") {
