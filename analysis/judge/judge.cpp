@@ -260,6 +260,7 @@ JudgedStudy judge(StudyResults study) {
     std::vector<Comparison> comparisons = comparisons_of(metric, judged.study.imported, metrics);
     metric = judge(std::move(metric.samples), metric.plan, std::move(comparisons));
   }
+  judged.targets = solved_targets(judged.study);
   return judged;
 }
 

@@ -9,6 +9,7 @@
 
 #include "analysis/judge/data/sampling.hpp"
 #include "analysis/judge/requirement.hpp"
+#include "analysis/judge/solved_targets.hpp"
 #include "analysis/judge/statistics/compare_pairs.hpp"
 #include "analysis/judge/statistics/descriptives.hpp"
 
@@ -45,6 +46,7 @@ struct JudgedStudy {
   std::size_t primary = 0;        // index of the deciding metric: the plan's; otherwise solved, or error if none was
   std::vector<Warning> warnings;  // about the whole study
   std::vector<RequirementCheck> requirements = {};  // made by check_requirements if the command asks for them
+  SolvedTargets targets = {};                       // made by `judge`
 };
 
 // Makes the samples of all reported metrics, without descriptives and comparisons.
