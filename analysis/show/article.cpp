@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "analysis/show/hard_targets.hpp"
 #include "analysis/show/headline.hpp"
 #include "analysis/show/page.hpp"
 #include "analysis/show/phrases.hpp"
@@ -109,6 +110,7 @@ std::string methods_paragraph(const Report& report, const std::string& program) 
 
 std::vector<std::string> results_sentences(const ReportModel& model) {
   std::vector<std::string> sentences{headline(model)};
+  if (model.hard_targets) sentences.push_back(hard_targets_sentence(*model.hard_targets));
   const bool are_two = model.primary().descriptives.size() == 2;
   for (const JudgedMetric& judged : model.metrics) {
     if (!judged.comparisons.empty() && (are_two || model.is_in_headline(judged)))

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "analysis/show/hard_targets.hpp"
 #include "analysis/show/headline.hpp"
 #include "analysis/show/phrases.hpp"
 #include "analysis/show/requirements.hpp"
@@ -142,12 +143,19 @@ std::vector<Table> setup_tables(const Report& report) {
 std::vector<Blocks> report_sections(const Report& report) {
   std::vector<Blocks> sections{report.lead};
   const bool is_of_study = !report.study.series.empty();  // otherwise of a user's file
+  Blocks targets{report.model.targets};
+  const auto add_hard_targets = [&](Blocks& blocks) {
+    const auto& hard = report.model.hard_targets;
+    if (hard) blocks.insert(blocks.end(), hard_targets_sentence(*hard));
+  };
+  if (!report.lead.empty()) add_hard_targets(targets);
   std::vector<std::string> warnings;
   for (const Warning& warning : report.model.all_warnings()) warnings.push_back(warning_sentence(warning));
   if (report.lead.empty()) {
     for (const Warning& warning : report.model.warnings)  // above the verdict, which these make void
       if (warning.kind == WarningKind::wrong_answers) sections[0].emplace_back(warning_sentence(warning));
     sections[0].emplace_back(Heading{headline(report.model)});
+    add_hard_targets(sections[0]);
     for (const std::string& sentence : requirement_sentences(report.model)) sections[0].emplace_back(sentence);
     if (is_of_study) sections[0].emplace_back(report.model.study_text);
     Table results = results_table(report.model);
@@ -170,6 +178,7 @@ std::vector<Blocks> report_sections(const Report& report) {
   for (const auto& [heading, table] : report.model.extra_tables) add(heading, {table});
   std::ranges::copy(report.extra_sections, std::back_inserter(sections));
   add("Who is better?", {pairs_table(report.model)});
+  add("Targets", std::move(targets));
   if (!report.has_own_numbers) {
     Table numbers = descriptives_table(report.model), solves = solves_table(report), all = omnibus_table(report.model);
     numbers.visible_rows = solves.visible_rows = 0;

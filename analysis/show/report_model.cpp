@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "analysis/figures/rows.hpp"
+#include "analysis/show/hard_targets.hpp"
 #include "analysis/show/phrases.hpp"
 #include "analysis/show/text.hpp"
 
@@ -261,6 +262,8 @@ ReportModel make_report_model(const JudgedStudy& judged) {
   model.extra_tables = {{"Control loop", loop_table(judged.study, model.solvers())},
                         {"Imported results", imported_table(judged.study, model.solvers())},
                         {"In batches", batches_table(judged.study)}};
+  model.targets = targets_table(judged.targets);
+  model.hard_targets = hard_targets(judged.targets, model.solvers());
   model.noun = definition.compares_runs() ? "runs" : "targets";
   if (definition.stop.only_time_limits()) model.time_limit = number_text(1000 * definition.stop.seconds) + " ms";
   model.named_metrics = names_in_plan(definition).size();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,9 @@ struct ReportModel {
   // The further tables of a study with their headings: the control loop, the times of imported solvers, the times in
   // batches. A table without rows is not shown.
   std::vector<std::pair<std::string, Table>> extra_tables = {};
+
+  Table targets = {};                                   // who solves which target; without rows for a file
+  std::optional<judge::HardTargets> hard_targets = {};  // nullopt: nothing to say of them
 
   const judge::JudgedMetric& primary() const { return metrics.front(); }
   // Returns the names of the solvers, best first.

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "analysis/judge/statistics/omnibus.hpp"
+#include "analysis/show/hard_targets.hpp"
 #include "analysis/show/headline.hpp"
 #include "analysis/show/phrases.hpp"
 #include "analysis/show/requirements.hpp"
@@ -562,15 +563,17 @@ base::OrderedJson to_json(const ReportModel& model) {
   for (const JudgedMetric& judged : model.metrics)
     direction[judged.samples.quantity] = judged.samples.better == Better::larger ? "larger" : "smaller";
   for (const Warning& warning : model.all_warnings()) warnings.push_back(warning_text(warning));
-  return {{"headline", headline(model)},
-          {"metric", model.primary().samples.quantity},
-          {"groups", to_json(descriptives_table(model))},
-          {"tests", to_json(omnibus_table(model))},
-          {"comparisons", to_json(pairs)},
-          {"direction", std::move(direction)},
-          {"warnings", std::move(warnings)},
-          {"requirements", requirements_json(model)},
-          {"notes", notes}};
+  base::OrderedJson json{{"headline", headline(model)},
+                         {"metric", model.primary().samples.quantity},
+                         {"groups", to_json(descriptives_table(model))},
+                         {"tests", to_json(omnibus_table(model))},
+                         {"comparisons", to_json(pairs)},
+                         {"direction", std::move(direction)},
+                         {"warnings", std::move(warnings)},
+                         {"requirements", requirements_json(model)},
+                         {"notes", notes}};
+  if (model.hard_targets) json["hard_targets"] = hard_targets_json(*model.hard_targets);
+  return json;
 }
 
 }  // namespace ikbench::show

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "analysis/show/hard_targets.hpp"
 #include "analysis/show/headline.hpp"
 #include "analysis/show/phrases.hpp"
 #include "analysis/show/requirements.hpp"
@@ -103,6 +104,7 @@ std::string terminal_report(const ReportModel& model, const std::string& page) {
   table.notes.clear();
   std::string text = causes_text(model, shortener);
   text += wrapped_paragraph(shortener.text(headline(model)), "");
+  if (model.hard_targets) text += wrapped_paragraph(shortener.text(hard_targets_sentence(*model.hard_targets)), "");
   for (const std::string& sentence : requirement_sentences(model))
     text += wrapped_paragraph(shortener.text(sentence), "  ");
   text += '\n';
