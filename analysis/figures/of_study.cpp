@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -194,6 +195,43 @@ std::optional<Figure> joints(const JudgedStudy& judged, const Look& look) {
                 joint_rows(study, of_this_machine(study, look)));
 }
 
+// Returns the targets from those that most of these solvers solve. Of targets that as many solve, those of the first
+// solvers come first.
+std::vector<std::size_t> easiest_first(const SolvedTargets& all, const std::vector<std::size_t>& solvers) {
+  std::vector<std::size_t> order(all.targets.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, [&](std::size_t first, std::size_t second) {
+    if (all.targets[first].solvers != all.targets[second].solvers)
+      return all.targets[first].solvers > all.targets[second].solvers;
+    const auto differs = [&](std::size_t solver) { return all.solves(solver, first) != all.solves(solver, second); };
+    const auto where = std::ranges::find_if(solvers, differs);
+    return where != solvers.end() && all.solves(*where, first);
+  });
+  return order;
+}
+
+std::optional<Figure> targets(const JudgedStudy& judged, const Look& look) {
+  const SolvedTargets& all = judged.targets;
+  if (!all.is_complete || !do_solvers_differ(all)) return std::nullopt;
+  const std::vector<std::string> shown = drawn_solvers(judged.study, look);
+  std::vector<std::size_t> solvers;
+  for (const std::string& name : shown)
+    solvers.push_back(static_cast<std::size_t>(std::ranges::find(all.solvers, name) - all.solvers.begin()));
+  const std::vector<std::size_t> order = easiest_first(all, solvers);
+  std::vector<SolvedRow> rows;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    SolvedRow& row = rows.emplace_back(SolvedRow{.label = look.names.at(shown[i]), .style = look.lines.at(shown[i])});
+    for (const std::size_t target : order) row.is_solved.push_back(all.solves(solvers[i], target));
+  }
+  const auto unsolved =
+      static_cast<std::size_t>(std::ranges::count(all.targets, std::size_t{0}, &SolvedTarget::solvers));
+  std::string caption =
+      fmt::format("Targets that each solver solves{}, from those that most solvers solve; right: their number.",
+                  all.are_repeated ? " in at least one run" : "");
+  if (unsolved > 0) caption += fmt::format(" Grey: solved by none ({}).", unsolved);
+  return solved_rows({"", caption, "targets"}, rows, order.size() - unsolved);
+}
+
 // The figures of a study, in the order of the report.
 constexpr KindOfFigure all_kinds[]{
     {"overview", "position error against joint motion",
@@ -218,6 +256,7 @@ constexpr KindOfFigure all_kinds[]{
      [](auto& judged, auto& look) { return solved_by(judged, "evaluations", "a number of evaluations", look); }},
     {"solved-by-time", "with a tolerance, if times are compared: share of targets solved within a time",
      [](auto& judged, auto& look) { return solved_by(judged, time, "a time", look); }},
+    {"targets", "with a tolerance, where solvers solve different targets: which targets each solver solves", targets},
     {"ranks",
      "3 solvers or more, compared by ranks, without a control: mean ranks; bars join pairs without a difference",
      [](auto& judged, auto& look) { return ranks_of(deciding(judged), drawn_solvers(judged.study, look), look); }},

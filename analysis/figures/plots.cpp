@@ -22,9 +22,10 @@ using namespace base;
 namespace {
 
 const std::string grey = colour_of(0);
-constexpr std::size_t most_rows = 60;     // of one figure, so that it fits a page
-constexpr std::size_t most_values = 200;  // drawn per group
-constexpr std::size_t most_bands = 3;     // more would cover each other
+constexpr std::size_t most_rows = 60;      // of one figure, so that it fits a page
+constexpr std::size_t most_values = 200;   // drawn per group
+constexpr std::size_t most_columns = 500;  // of targets
+constexpr std::size_t most_bands = 3;      // more would cover each other
 
 // Returns the first rows. If others are left out, adds the number of drawn rows to the picture, and the names of the
 // others to the caption.
@@ -400,6 +401,43 @@ std::optional<Figure> differences(const About& about, const std::vector<Interval
   figure.settings +=
       fmt::format("set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 dt 2 {1}\n", of_equals, grey);
   add_remarks(figure, verdicts);
+  figure.plot = plotted(clauses);
+  return figure;
+}
+
+Figure solved_rows(const About& about, const std::vector<SolvedRow>& all_rows, std::size_t solvable) {
+  Figure figure{.name = about.name, .caption = about.caption};
+  const auto rows = drawn_of(all_rows, most_rows, figure);
+  const std::size_t targets = all_rows.front().is_solved.size();
+  const std::size_t columns = std::min(targets, most_columns);
+  const auto start_of = [=](std::size_t column) { return column * targets / columns; };
+  if (columns < targets) figure.caption += fmt::format(" Only {} targets, at even ranks, are drawn.", columns);
+  std::vector<std::string> labels, clauses, counts;
+  figure.data = "# targets that are solved: after, to\n";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<bool>& is_solved = rows[i].is_solved;
+    labels.push_back(rows[i].label);
+    counts.push_back(fmt::to_string(std::ranges::count(is_solved, true)));
+    figure.data += fmt::format("{}# {}\nNaN NaN\n", i == 0 ? "" : "\n\n", one_line(rows[i].label));
+    // Neighbours are one box, because boxes side by side would show their edges.
+    for (std::size_t begin = 0, end = 0; begin < columns; begin = end) {
+      const bool is_filled = is_solved[start_of(begin)];
+      for (end = begin + 1; end < columns && is_solved[start_of(end)] == is_filled;) ++end;
+      if (is_filled)
+        figure.data += data_row({static_cast<double>(start_of(begin)), static_cast<double>(start_of(end))});
+    }
+    clauses.push_back(fmt::format("data index {} using ($1):({}):1:2:({}):({}) with boxxyerror fs solid noborder {}", i,
+                                  i + 1, text_of(static_cast<double>(i) + 0.65), text_of(static_cast<double>(i) + 1.35),
+                                  colour_of(rows[i].style)));
+  }
+  add_labelled_rows(figure, labels, 0.42);
+  figure.settings +=
+      linear_axis('x', std::vector{0.0, static_cast<double>(targets)}, about.axis(), Begins::at_first).settings;
+  if (solvable < targets)
+    figure.settings +=
+        fmt::format("set object rectangle from {}, graph 0 to {}, graph 1 behind fc rgb faint fs solid noborder\n",
+                    solvable, targets);
+  add_remarks(figure, counts);
   figure.plot = plotted(clauses);
   return figure;
 }

@@ -88,6 +88,16 @@ struct IntervalRow {
 // Returns a figure with an interval per row: differences, or ratios on a logarithmic axis.
 std::optional<Figure> differences(const About& about, const std::vector<IntervalRow>& rows, bool are_ratios);
 
+// The targets that a solver solves.
+struct SolvedRow {
+  std::string label;
+  int style = 1;
+  std::vector<bool> is_solved = {};  // of each target
+};
+// Returns a figure with a row per solver, filled where the solver solves a target. The targets stand in the order of
+// the rows' values, and those from `solvable` on, which no solver solves, are grey.
+Figure solved_rows(const About& about, const std::vector<SolvedRow>& rows, std::size_t solvable);
+
 using Corner = Eigen::Vector3d;  // [cm]
 // The targets of a run, the reached positions, and drawings of the arm.
 struct PathRows {

@@ -19,7 +19,7 @@ files=$(find mine -type f | wc -l)
 [ "$files" -le 40 ] || fail "$files files: $(find mine -type f)"
 [ "$(words mine)" -le 960 ] || fail "report.md has $(words mine) words"
 if can gnuplot; then
-  for type in svg pdf; do equal ".$type" "$(ls mine/figures/*.$type | wc -l)" $((5 - debug)); done
+  for type in svg pdf; do equal ".$type" "$(ls mine/figures/*.$type | wc -l)" $((6 - debug)); done
   for figure in mine/figures/*.svg; do
     grep -qFf <(base64 -w0 "$figure") mine/report.html || fail "the page shows another $figure"
   done
@@ -36,7 +36,7 @@ if can gnuplot; then
     equal "drawn for $figure" "$(cd "only-$figure/figures" && echo *.svg)" "$figure.svg"
   done
   by_time=" solved-by-time"
-  equal "figures of the tutorial's study" "$drawn" " error-shares solved-by-evaluations${by_time:$((debug * 20))} ranks differences"
+  equal "figures of the tutorial's study" "$drawn" " error-shares solved-by-evaluations${by_time:$((debug * 20))} targets ranks differences"
 fi
 golden tutorial mine/results.json
 ends 3 compare PSO mine --store mine/store.sqlite

@@ -70,7 +70,9 @@ TEST_CASE("drawn targets with a tolerance have shares, and no number of solved o
         solve.status = solve.label == "B" && solve.run == 1 ? Status::crashed : Status::ok;
       });
   const std::vector<Figure> figures = figures_of_study(asked);
-  CHECK(names_of(figures) == Names{"error-shares", "solved-by-evaluations", "differences"});
+  CHECK(names_of(figures) == Names{"error-shares", "solved-by-evaluations", "targets", "differences"});
+  CHECK(contains(figures[2].data, "# A\nNaN NaN\n0 20\n\n\n# B\nNaN NaN\n0 16\n"));
+  CHECK(!contains(figures[2].caption, "solved by none"));
   CHECK(contains(figures[1].data, "# A\n0 0\n100 100\n1e+300 100\n\n\n# B\n0 0\n100 80\n1e+300 80\n"));
   CHECK(contains(figures[0].data, "# A\n0 0\n1 20\n2 40\n"));                          // [mm]
   CHECK(contains(figures[0].data, "4 80\n5 100\n1e+300 100\n\n\n# B\n0 0\n20 20\n"));  // none of a crash

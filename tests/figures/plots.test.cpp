@@ -33,6 +33,7 @@ std::vector<Figure> every_kind(const std::string& label) {
            differences(named("ratios"), {{label, 2, 0.5, 4, label, 2}, {label}, {label, 1, 0.9, double{INFINITY}}},
                        true),
            differences(named("differences"), {{label, -2, -5, 4}, {label, 0, 0, 0}}, false),
+           std::optional(solved_rows(named("targets"), {{label, 1, {true, false}}, {label, 2, {false, false}}}, 1)),
            joints(named("joints"), {{{label, 1, {{10, 20}, {15, 95}}}, {label, 2}}, {{label, -90, 90}, {label}}}),
            overview(named("overview"), label,
                     {{label, 1, 10, 0.5, 20, 0.1}, {label, 2, 1, 1}, {label, 2, nowhere, nowhere}}),
@@ -189,6 +190,21 @@ TEST_CASE("differences have their intervals, also open ones", "[plots]") {
   CHECK(contains(differences(error_in("r"), {{"A / B", 0.3, 0, 0.5}}, true)->plot, "with vectors backhead "));
   CHECK(contains(differences(error_in("r"), {{"A /\nB", 0.3, 0, 0.5}}, true)->settings, R"(('A /'."\n".'B' 1))"));
   CHECK(figure.data == "# row, difference, low, high\n# A - B\n1 1 -2 1e+300\n# A - C\n2 NaN NaN NaN\n");
+}
+
+TEST_CASE("targets side by side are one box, and of many only some are drawn", "[plots]") {
+  const About about{.name = "targets", .quantity = "targets"};
+  const Figure few =
+      solved_rows(about, {{"A", 1, {true, true, false, true}}, {"B", 2, {false, true, false, false}}}, 4);
+  CHECK(few.data == "# targets that are solved: after, to\n# A\nNaN NaN\n0 2\n3 4\n\n\n# B\nNaN NaN\n1 2\n");
+  CHECK(!contains(few.settings, "rectangle"));
+  std::vector<bool> every_second(10'000);
+  for (std::size_t i = 0; i < every_second.size(); ++i) every_second[i] = i / 20 % 2 == 0;
+  const Figure many = solved_rows(about, {{"A", 1, every_second}}, 9'980);
+  CHECK(std::ranges::count(many.data, '\n') == 3 + 250);
+  CHECK(contains(many.data, "\n9960 9980\n"));
+  CHECK(contains(many.settings, "from 9980, graph 0 to 10000, graph 1"));
+  CHECK(many.caption.ends_with("Only 500 targets, at even ranks, are drawn."));
 }
 
 TEST_CASE("a path has its targets and what was reached, and the arm follows", "[plots]") {
