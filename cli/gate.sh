@@ -42,10 +42,8 @@ solve() {
 }
 requirements=(--strict)
 while IFS=$' \t\r' read -r line; do [[ -z $line ]] || requirements+=(--require="$line"); done <<<"${REQUIRE:-}"
-required=0  # the exit code of the requirements, also of those in the study
 if [[ -z $old ]]; then
-  text=$("$program" run "$study" --no-report --out="$out" "${requirements[@]}")
-  required=$?
+  judge=("$program" run "$study" --no-report --out="$out")
 else  # who begins a round alternates
   [[ ! -e $out || -e $out/.in-turn ]] || refuse "OUT is $out, a folder that no call with OLD made; choose a new one"
   mkdir -p -- "$out" && : >"$out/.in-turn" || ended failed 2
@@ -56,14 +54,23 @@ else  # who begins a round alternates
     ((i % 2)) || solve "$old" "$out/before"
   done >/dev/null
   for each in "$out/before" "$out"; do "$program" merge "$each" "$each/shards" || ended failed $?; done
-  text=$("$program" report "$out/store.sqlite" --figures none "${requirements[@]}")
-  required=$?
+  judge=("$program" report "$out/store.sqlite" --figures none)
 fi
+text=$("${judge[@]}" "${requirements[@]}")
+required=$?
 printf '%s\n' "$text"
 [[ $required =~ ^[034]$ ]] || ended failed $required
 [[ -z ${GITHUB_STEP_SUMMARY:-} || -z $text ]] || printf '```\n%s\n```\n' "$text" >>"$GITHUB_STEP_SUMMARY"
 rm -f -- "$out/verdict.md"  # of an earlier call
-end_by_requirements() { case $required in 0) ended "$1" 0 ;; 3) ended unmet 3 ;; *) ended inconclusive 4 ;; esac; }
+# Code 3 also stands for a program that gave no answer in any solve, which the data name.
+is_without_answer() { grep -q '"without_answer"' < <("${judge[@]}" --json 2>/dev/null); }
+end_by_requirements() {
+  case $required in
+    0) ended "$1" 0 ;;
+    3) is_without_answer && ended failed 3; ended unmet 3 ;;
+    *) ended inconclusive 4 ;;
+  esac
+}
 [[ -n $baseline ]] || end_by_requirements passed
 [[ -e $baseline || -L $baseline ]] || { echo "There is no baseline yet; keep $out/store.sqlite as $baseline."; end_by_requirements no-baseline; }
 differ  # of files that were not there

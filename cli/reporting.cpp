@@ -66,20 +66,6 @@ std::string style_text(const std::string& name) {
   return text_of_file(name, max_bytes);
 }
 
-// Returns the solvers whose process failed in every solve. A solver that misses all targets, or declines them, does
-// answer.
-std::vector<std::string> never_answering(const judge::StudyResults& study) {
-  std::vector<std::string> labels;
-  for (const std::string& label : study.labels) {
-    const auto failed = [](const judge::SolveSummary& solve) {
-      return solve.status >= Status::crashed && solve.status <= Status::protocol_error;
-    };
-    const judge::Solves solves = study.of(label);
-    if (!solves.empty() && std::ranges::all_of(solves, failed)) labels.push_back(label);
-  }
-  return labels;
-}
-
 // Returns the results of the library solvers that are shipped with the program. The archive lacks a definition, so the
 // definition of the study is made here.
 judge::StudyResults results_of_archive(const std::string& robot) {
@@ -107,8 +93,8 @@ judge::StudyResults results_of_store(const std::string& file, const std::string&
   return results;
 }
 
-// Returns the requirements of --require.
-std::vector<Requirement> requirements_in(const ReportArguments& arguments) {
+// Returns the requirements of --require, for these labels of the study.
+std::vector<Requirement> requirements_in(const ReportArguments& arguments, const std::vector<std::string>& labels) {
   std::vector<Requirement> requirements;
   for (const std::string& text : arguments.requirements) {
     try {
@@ -117,13 +103,13 @@ std::vector<Requirement> requirements_in(const ReportArguments& arguments) {
       throw std::invalid_argument(fmt::format("--require {}", error.what()));
     }
   }
-  return requirements;
+  return for_swept_labels(requirements, labels);
 }
 
 }  // namespace
 
 bool print_never_answering(const judge::StudyResults& results, bool is_json) {
-  const std::vector<std::string> silent = never_answering(results);
+  const std::vector<std::string> silent = judge::never_answering(results);
   if (silent.empty()) return false;
   const std::string text =
       fmt::format("{} gave no answer in any solve (crash, timeout or protocol error).", base::listed(silent));
@@ -139,7 +125,7 @@ judge::JudgedStudy judge_with_requirements(judge::StudyResults results, const St
                                            const std::optional<judge::StudyResults>& beside) {
   if (beside) judge::add_imported(results, *beside);
   judge::JudgedStudy judged = judge::judge(std::move(results));
-  std::vector<Requirement> requirements = requirements_in(arguments);
+  std::vector<Requirement> requirements = requirements_in(arguments, judged.study.labels);
   if (requirements.empty()) requirements = study.definition.requirements;
   judged.requirements =
       judge::check_requirements(judged, requirements, experiments::own_solvers_of(study), arguments.is_strict);
@@ -254,7 +240,7 @@ void write_and_print(show::Report report, const std::filesystem::path& folder, c
 
 void refuse_wrong_requirements(const ReportArguments& arguments, const StudySpec& study,
                                const std::vector<std::string>& labels) {
-  for (const Requirement& requirement : requirements_in(arguments)) {
+  for (const Requirement& requirement : requirements_in(arguments, labels)) {
     if (!requirement.solver.empty() && std::ranges::count(labels, requirement.solver) == 0)
       throw std::invalid_argument("--require: " + unknown_name("label", requirement.solver, labels));
     if (const std::string lack = lack_of_share(study, requirement.metric); !lack.empty())
@@ -289,11 +275,13 @@ int show_answer(const Store& store, const StoredStudy& study, const ReportArgume
 
 int check_requirements_only(const Store& store, const StoredStudy& study, const ReportArguments& arguments,
                             const std::optional<judge::StudyResults>& beside) {
-  judge::JudgedStudy judged = judge_with_requirements(read_checked(store, study), study, arguments, beside);
+  judge::StudyResults results = read_checked(store, study);
+  const bool has_silent = print_never_answering(results, false);
+  judge::JudgedStudy judged = judge_with_requirements(std::move(results), study, arguments, beside);
   const int code = exit_code(judged.requirements);
   for (const std::string& sentence : show::requirement_sentences(show::make_report_model(judged)))
     fmt::print("{}\n", wrapped(printable(sentence)));
-  return code;
+  return has_silent ? 3 : code;
 }
 
 std::optional<judge::StudyResults> imported_results(const StoredStudy& study, const ReportArguments& arguments) {

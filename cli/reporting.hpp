@@ -77,8 +77,8 @@ int write_and_announce(const results::Store& store, const results::StoredStudy& 
 // Prints the judged study as JSON, and writes nothing. Returns the exit code as above.
 int show_answer(const results::Store& store, const results::StoredStudy& study, const ReportArguments& arguments,
                 const std::optional<judge::StudyResults>& beside);
-// Checks the requirements of the command or the study, and prints a sentence per check. Returns the exit code of the
-// requirements. Call it where no report is written.
+// Checks the requirements of the command or the study, and prints a sentence per check. Returns the exit code as above.
+// Call it where no report is written.
 int check_requirements_only(const results::Store& store, const results::StoredStudy& study,
                             const ReportArguments& arguments, const std::optional<judge::StudyResults>& beside);
 // Throws std::invalid_argument if a text of --require is not a requirement, or names a label or a share that the study

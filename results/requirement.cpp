@@ -16,6 +16,13 @@ namespace {
 
 constexpr std::array<std::string_view, 2> shares{"solved", "in-time"};
 
+// Returns whether a sweep makes this label of `base`: whether a setting follows, as in "LM damping=0.1".
+bool is_made_by_sweep(const std::string& label, const std::string& base) {
+  if (!label.starts_with(base + ' ')) return false;
+  const std::string setting = label.substr(base.size() + 1);
+  return setting.find('=') < setting.find(' ');
+}
+
 }  // namespace
 
 std::string Requirement::text() const {
@@ -45,6 +52,22 @@ Requirement parse_requirement(std::string_view text) {
                        base::in_quotes(value)));
   requirement.share = *percent / 100;
   return requirement;
+}
+
+std::vector<Requirement> for_swept_labels(const std::vector<Requirement>& requirements,
+                                          const std::vector<std::string>& labels) {
+  std::vector<Requirement> all;
+  for (const Requirement& requirement : requirements) {
+    const std::size_t before = all.size();
+    const bool is_base = !requirement.solver.empty() && std::ranges::count(labels, requirement.solver) == 0;
+    for (const std::string& label : labels) {
+      if (!is_base || !is_made_by_sweep(label, requirement.solver)) continue;
+      all.push_back(requirement);
+      all.back().solver = label;
+    }
+    if (all.size() == before) all.push_back(requirement);
+  }
+  return all;
 }
 
 }  // namespace ikbench::results

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ikbench::results {
 
@@ -19,5 +20,11 @@ struct Requirement {
 // Reads "solved=95%" or "LABEL.solved=95%"; the label may have dots and blanks. Throws std::invalid_argument if the
 // text has another form, names another metric than a share, or a share that no number of targets can show.
 Requirement parse_requirement(std::string_view text);
+
+// Returns the requirements, with one for each label that a sweep made of a label: those of "LM damping=0.1" and
+// "LM damping=1" in place of that of "LM". A requirement whose label is among `labels`, or of which no sweep made one,
+// stays.
+std::vector<Requirement> for_swept_labels(const std::vector<Requirement>& requirements,
+                                          const std::vector<std::string>& labels);
 
 }  // namespace ikbench::results

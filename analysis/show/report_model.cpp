@@ -258,6 +258,7 @@ ReportModel make_report_model(const JudgedStudy& judged) {
                                         is_of_solved ? definition.plan.tie_breakers : std::vector<std::string>());
   model.warnings = judged.warnings;
   model.requirements = judged.requirements;
+  model.without_answer = never_answering(judged.study);
   model.study_text = study_sentences(judged.study);
   model.extra_tables = {{"Control loop", loop_table(judged.study, model.solvers())},
                         {"Imported results", imported_table(judged.study, model.solvers())},

@@ -26,6 +26,7 @@ struct ReportModel {
   std::string study_text = {};               // what was solved, and what ended a solve; empty for a file
   std::string rejections_text = {};          // answers that the study's check refused; empty: none
   std::vector<judge::RequirementCheck> requirements = {};  // of the study, in their order
+  std::vector<std::string> without_answer = {};            // solvers that gave no answer in any solve
   std::string verdict = {};                      // the answer of `compare`, in place of the headline; otherwise empty
   std::string direction = {};                    // "smaller is better" for a user's file; empty for a study
   std::vector<std::string> tie_breakers = {};    // of the plan, in order; empty: no second question

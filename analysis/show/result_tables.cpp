@@ -573,6 +573,7 @@ base::OrderedJson to_json(const ReportModel& model) {
                          {"requirements", requirements_json(model)},
                          {"notes", notes}};
   if (model.hard_targets) json["hard_targets"] = hard_targets_json(*model.hard_targets);
+  if (!model.without_answer.empty()) json["without_answer"] = model.without_answer;
   return json;
 }
 

@@ -303,9 +303,9 @@ void convert_initial(const TomlReader& reader, Study& study, const Robot& arm) {
   }
 }
 
-// Reads [require], whose labels must be of the study.
+// Reads [require], whose labels must be of the study. A label that a sweep splits stands for all that the sweep made.
 void read_requirements(const TomlReader& require, Study& study) {
-  study.requirements = results::read_requirements(require);
+  study.requirements = results::for_swept_labels(results::read_requirements(require), labels_in_file(study));
   for (const results::Requirement& requirement : study.requirements) {
     const std::string lack = results::lack_of_share(study, requirement.metric);
     if (!lack.empty()) throw require.mistake(requirement.metric, lack);

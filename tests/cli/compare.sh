@@ -104,6 +104,12 @@ sed 's/^evaluations = .*/evaluations = 8/' gate.toml >few.toml
 gate 3 unmet BASELINE= STUDY=few.toml OUT=few REQUIRE='solved=99%'
 sed '/^\[stop\]/i [require]\nsolved = "99%"' few.toml >own.toml
 gate 3 unmet BASELINE=nowhere.sqlite STUDY=own.toml OUT=own
+for file in few own; do
+  sed 's/^process = .*/process = ["python3", "dies.py"]/' $file.toml >$file-dead.toml
+done
+sed 's/^import ikbench$/import ikbench, os/; s/^    swarm = .*/    os._exit(1)/' "$pso" >dies.py
+gate 3 failed BASELINE= STUDY=few-dead.toml OUT=few-dead REQUIRE='solved=99%'
+gate 3 failed BASELINE=nowhere.sqlite STUDY=own-dead.toml OUT=own-dead
 [ -s same/verdict.md ] && has "$(<summary.md)" "$(<same/verdict.md)" || fail "no verdict in the summary: $(<summary.md)"
 refused 'alternating rounds' compare $base $again --time-margin 10%
 code=0  # 3 where the machine was slower in one's rounds, 1 where it was busy

@@ -36,6 +36,24 @@ TEST_CASE("a swept key is of every solver that has it, or of the one before the 
         SweptLabels{"IK-BA bounds=clamp", "IK-BA bounds=initial", "BA"});
 }
 
+TEST_CASE("a requirement of a label that a sweep splits is one of each of its solvers", "[sweep]") {
+  const auto solvers_required = [](const std::string& label, const Overrides& overrides) {
+    SweptLabels labels;
+    const std::string require = fmt::format("[require]\n\"{}.solved\" = \"95%\"\n[stop]\ntolerance_cm = 1\n", label);
+    for (const results::Requirement& each : read(require + two_bats, overrides).requirements)
+      labels.push_back(each.solver);
+    return labels;
+  };
+  const std::string sweep = sweep_override("alpha=0.5,0.9");
+  CHECK(solvers_required("BA", {sweep}) == SweptLabels{"BA alpha=0.5", "BA alpha=0.9"});
+  CHECK(solvers_required("BA alpha=0.5", {sweep}) == SweptLabels{"BA alpha=0.5"});
+  CHECK(solvers_required("BA", {}) == SweptLabels{"BA"});
+  CHECK_THROWS_WITH(solvers_required("B", {sweep}), ContainsSubstring("unknown label \"B\""));
+  const std::vector<results::Requirement> of_base{{.solver = "BA", .metric = "solved", .share = 0.5}};
+  CHECK(results::for_swept_labels(of_base, {"BA", "BA x=1"}) == of_base);
+  CHECK(results::for_swept_labels(of_base, {"BA best", "BA best x=1", "BAT x=1"}) == of_base);
+}
+
 TEST_CASE("a swept entry and one written by hand with its label share their solves", "[sweep]") {
   const Study study = read("[[solvers]]\nlabel = \"A\"\nsolver = \"ik_bat\"\npopulation = [20, 40]\n");
   const Study by_hand = read("[[solvers]]\nlabel = \"A population=40\"\nsolver = \"ik_bat\"\npopulation = 40\n");

@@ -307,6 +307,17 @@ std::vector<double> solve_times(const StudyResults& study, std::string_view solv
   return seconds;
 }
 
+std::vector<std::string> never_answering(const StudyResults& study) {
+  const auto is_failed = [](const SolveSummary& solve) {
+    return solve.status >= Status::crashed && solve.status <= Status::protocol_error;
+  };
+  std::vector<std::string> labels;
+  for (const std::string& label : study.labels)
+    if (const Solves solves = study.of(label); !solves.empty() && std::ranges::all_of(solves, is_failed))
+      labels.push_back(label);
+  return labels;
+}
+
 bool are_identical(Solves solves, Solves others) {
   return std::ranges::equal(solves, others, [](const SolveSummary& a, const SolveSummary& b) {
     return a.run == b.run && a.point == b.point && are_same(a, b) && a.evaluations == b.evaluations;

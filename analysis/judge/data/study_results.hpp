@@ -78,6 +78,9 @@ struct StudyResults : results::StoredStudy {
 bool has_answer(const SolveSummary& solve);
 // Returns the finite times [s] of solves with an answer.
 std::vector<double> solve_times(const StudyResults& study, std::string_view solver);
+// Returns the solvers whose process failed in every solve: by a crash, a timeout or a breach of the protocol. A solver
+// that misses all targets, or declines them, does answer.
+std::vector<std::string> never_answering(const StudyResults& study);
 // Returns whether all solves are the same, bit for bit, with the same numbers of evaluations.
 bool are_identical(Solves solves, Solves others);
 
