@@ -56,6 +56,12 @@ std::vector<std::string> configurations_of(const StoredStudy& study) {
   return keys;
 }
 
+std::string requirements_text(const std::vector<Requirement>& requirements) {
+  std::vector<std::string> texts;
+  for (const Requirement& requirement : requirements) texts.push_back(requirement.text());
+  return texts.empty() ? "empty" : base::listed(texts);
+}
+
 // Returns why two studies of one name cannot be merged; empty if they can. Different numbers of runs are no reason,
 // since the larger number counts.
 std::string why_not_one(const StoredStudy& study, const StoredStudy& other) {
@@ -66,6 +72,9 @@ std::string why_not_one(const StoredStudy& study, const StoredStudy& other) {
     return "the labels of its solvers differ";
   if (keys_of(study) != keys_of(other))
     return "the version of the solvers or of shared code differs; use one version of ikbench for all";
+  const auto &required = study.definition.requirements, &other_required = other.definition.requirements;
+  if (required != other_required)
+    return fmt::format("its [require] is {} and {}", requirements_text(required), requirements_text(other_required));
   return "";
 }
 

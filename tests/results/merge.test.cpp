@@ -241,6 +241,19 @@ TEST_CASE("of two numbers of runs the larger is taken, and how a study is judged
   }
 }
 
+TEST_CASE("two studies of one name with other requirements are refused", "[merge]") {
+  const ScratchFolder folder;
+  for (const char* const share : {"95", "90"}) {
+    StoredStudy study = sample_study();
+    study.definition = parse_definition(fmt::format(
+        R"({{"robot": "iiwa14", "runs": 20, "points": 20, "stop": {{"tolerance_cm": 1}}, "require": {{"solved": "{}%"}}}})",
+        share));
+    Store(folder.path / share, Store::Mode::write).save_study(study);
+  }
+  CHECK_THROWS_WITH(merge(folder.path / "out", {folder.path / "95", folder.path / "90"}),
+                    ContainsSubstring("its [require] is solved=95% and solved=90%"));
+}
+
 TEST_CASE("a store that a kill left half-written is mended, and merged", "[merge]") {
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1, 3});
