@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <numeric>
+#include <set>
 
 #include "base/names.hpp"
 #include "base/units.hpp"
@@ -117,7 +119,11 @@ std::optional<Diagnosis> by_shifted_rows(const Reached& reached) {
       count += is_right(reached.poses[static_cast<std::size_t>(i)],
                         reached.answers[static_cast<std::size_t>(target)].target, reached.right);
     }
-    if (is_share(count, reached.size(), explains)) return Diagnosis{.cause = Cause::shifted, .rows = rows};
+    if (!is_share(count, reached.size(), explains)) continue;
+    return Diagnosis{.cause = Cause::shifted,
+                     .rows = rows,
+                     .answers = reached.size(),
+                     .shifted_answers = static_cast<std::size_t>(count)};
   }
   return std::nullopt;
 }
@@ -160,8 +166,10 @@ std::optional<Diagnosis> by_one_frame(const Reached& reached) {
     at_tool.push_back(reached.poses[i].inverse() * reached.answers[i].target);
     at_base.push_back(reached.answers[i].target * reached.poses[i].inverse());
   }
-  if (const auto frame = common_frame(at_tool, reached)) return Diagnosis{.cause = Cause::tool_frame, .frame = *frame};
-  if (const auto frame = common_frame(at_base, reached)) return Diagnosis{.cause = Cause::base_frame, .frame = *frame};
+  const auto of_base = common_frame(at_base, reached);
+  if (const auto of_tool = common_frame(at_tool, reached))
+    return Diagnosis{.cause = Cause::tool_frame, .frame = *of_tool, .base_frame = of_base};
+  if (of_base) return Diagnosis{.cause = Cause::base_frame, .frame = *of_base};
   return std::nullopt;
 }
 
@@ -226,15 +234,19 @@ struct Examined {
   std::size_t right_targets = 0, wrong_beside_right = 0, doubled = 0;
 };
 
-// Returns how many of the first rows of one target repeat an earlier one.
+// Returns how many rows of one target repeat another one, to 1e-9 rad or m.
 std::size_t doubled_rows(const Candidates& q) {
-  constexpr Eigen::Index most = 100;  // compared with each other
-  std::size_t doubled = 0;
-  for (Eigen::Index i = 1; i < std::min(q.cols(), most); ++i) {
-    const auto is_same = [&](const auto& earlier) { return (earlier - q.col(i)).cwiseAbs().maxCoeff() <= 1e-9; };
-    doubled += std::ranges::any_of(q.leftCols(i).colwise(), is_same);
+  constexpr double parts = 1e9;  // of a rad or m
+  std::set<std::vector<std::int64_t>> different;
+  std::size_t finite = 0;
+  for (const Configuration answer : q.colwise()) {
+    if (!answer.allFinite()) continue;
+    ++finite;
+    std::vector<std::int64_t> rounded_joints;
+    for (const double joint : answer) rounded_joints.push_back(std::llround(joint * parts));
+    different.insert(std::move(rounded_joints));
   }
-  return doubled;
+  return finite - different.size();
 }
 
 void examine_target(const Candidates& q, const Pose& target, const Reached& how, Examined& found) {
@@ -313,11 +325,21 @@ std::string diagnosis_text(const Diagnosis& diagnosis) {
       return fmt::format("the joints are in another order: joints 1 to {} stand as {}", columns.size(),
                          fmt::join(columns, ", "));
     }
-    case Cause::shifted:
-      return fmt::format("rows are shifted: each answer belongs to the target {} further {}",
+    case Cause::shifted: {
+      const auto rows = static_cast<std::size_t>(std::abs(diagnosis.rows));  // so many have no such target
+      const std::string belong =
+          diagnosis.shifted_answers + rows == diagnosis.answers
+              ? "each answer belongs"
+              : fmt::format("{} of {} answers belong", diagnosis.shifted_answers, diagnosis.answers);
+      return fmt::format("rows are shifted: {} to the target {} further {}", belong,
                          base::counted(std::abs(diagnosis.rows), "rows"), diagnosis.rows > 0 ? "down" : "up");
-    case Cause::tool_frame:
-      return fmt::format("all miss by the same frame of the tool: {}", frame_text(diagnosis.frame));
+    }
+    case Cause::tool_frame: {
+      const std::string tool = fmt::format("all miss by the same frame of the tool: {}", frame_text(diagnosis.frame));
+      if (!diagnosis.base_frame) return tool;
+      return fmt::format("{}; or of the base: {} (targets of one orientation do not tell which)", tool,
+                         frame_text(*diagnosis.base_frame));
+    }
     case Cause::base_frame:
       return fmt::format("all miss by the same frame of the base: {}", frame_text(diagnosis.frame));
     case Cause::quaternion_order:

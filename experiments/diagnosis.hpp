@@ -17,7 +17,7 @@ namespace ikbench::experiments {
 enum class Cause {
   degrees,           // angles are in degrees
   joint_order,       // the joints are in another order
-  shifted,           // each answer belongs to the target some rows away
+  shifted,           // answers belong to the targets some rows away
   tool_frame,        // all answers miss by one frame at the tool
   base_frame,        // all answers miss by one frame at the base
   quaternion_order,  // positions are right, and w of the quaternion stood in another place
@@ -27,10 +27,12 @@ enum class Cause {
 
 struct Diagnosis {
   Cause cause = Cause::degrees;
-  std::vector<int> order = {};    // joint_order: for each joint the column that has it, from 0
-  int rows = 0;                   // shifted: an answer belongs to the target so many rows further down; negative: up
-  Pose frame = Pose::Identity();  // tool_frame, base_frame
-  double error = 0;               // few_digits: median [m]
+  std::vector<int> order = {};  // joint_order: for each joint the column that has it, from 0
+  int rows = 0;                 // shifted: an answer belongs to the target so many rows further down; negative: up
+  std::size_t answers = 0, shifted_answers = 0;  // shifted: number of all answers, and of those that are
+  Pose frame = Pose::Identity();                 // tool_frame, base_frame
+  std::optional<Pose> base_frame = {};           // tool_frame: a frame of the base that explains the answers as well
+  double error = 0;                              // few_digits: median [m]
 };
 
 // An answer with its target.

@@ -177,6 +177,51 @@ TEST_CASE("the cause of wrong answers is found from the answers", "[answers]") {
   check_cause(shifted, "the target 1 row further down");
 }
 
+TEST_CASE("a cause that holds for some answers is not said of all", "[answers]") {
+  Rows shifted = rows_of(sample().solutions);
+  for (Row& row : shifted) row.run -= 1;
+  shifted.erase(shifted.begin());
+  for (std::size_t i = 0; i < 6; ++i) std::ranges::fill(shifted[i].cells, "0.1");
+  check_cause(shifted, "rows are shifted: 12 of 19 answers belong to the target 1 row further down");
+}
+
+TEST_CASE("only the columns of joints that turn are in degrees", "[answers]") {
+  const Robot arm = robot("stanford");
+  std::vector<AnsweredTarget> answers;
+  for (int i = 0; i < 5; ++i) {
+    Configuration q = Configuration::LinSpaced(arm.joints(), 0.1 * (i + 1), 0.4 + 0.05 * i);
+    const Pose target = arm.chain.forward(q);
+    for (Eigen::Index j = 0; j < q.size(); ++j)
+      if (!arm.chain.slides(j)) q[j] /= base::degree;
+    answers.push_back({target, q});
+  }
+  const auto found = diagnose(arm, answers, {});
+  REQUIRE(found);
+  CHECK(found->cause == Cause::degrees);
+}
+
+TEST_CASE("targets of one orientation do not tell a moved tool from a moved base", "[answers]") {
+  const Robot arm = robot("ur5e");
+  const auto cause_of = [&](const std::vector<Pose>& reached) {
+    std::vector<AnsweredTarget> answers;
+    for (const Pose& pose : reached) {
+      Pose target = pose;
+      target.translation() += 0.1 * pose.linear().col(2);  // a tool that is longer by 0.1 m
+      const results::SolveRecord solve = solve_once(sample().study, sample().study.solvers.front(), pose);
+      REQUIRE(solve.status == results::Status::ok);
+      answers.push_back({target, to_eigen(solve.answer_rad)});
+    }
+    const auto found = diagnose(arm, answers, {.position = 1e-4, .angle = 1e-4});
+    return found ? diagnosis_text(*found) : "";
+  };
+  std::vector<Pose> alike(5, sample().poses.front());
+  for (std::size_t i = 0; i < alike.size(); ++i) alike[i].translation() *= 1 - 0.02 * static_cast<double>(i);
+  const std::string both = cause_of(alike);
+  CHECK(contains(both, "frame of the tool: (0, 0, 100) mm; or of the base: ("));
+  const std::string tool = cause_of({sample().poses.begin(), sample().poses.begin() + 5});
+  CHECK(tool.ends_with("frame of the tool: (0, 0, 100) mm"));
+}
+
 TEST_CASE("the cause of answers to bent targets is found", "[answers]") {
   check_cause(rows_of(solved(sample(),
                              [](const Pose& pose) {
@@ -212,6 +257,8 @@ TEST_CASE("faults of single rows are shown whatever is right", "[answers]") {
   check_right(twice, targets, "20 doubled rows");
   CHECK(twice.solves.front().extras.at("answers") == 2);
   CHECK(twice.solves.front().all_answers_rad.size() == 12);
+  const Rows many(150, good.front());
+  check_right(judged(csv_of(many)), 1, "149 doubled rows");
   const Judged beside = judged(csv_of(second));
   CHECK(beside.report.cause.empty());
   CHECK(contains(beside.report.facts, "20 wrong answers beside right ones"));
