@@ -87,7 +87,11 @@ Study study_of_store(const StudyToRun& arguments, const Overrides& swept) {
   const auto is_same = [](const Series& made, const Series& read) {
     return made.label == read.label && made.algorithm == read.algorithm && made.options == read.options;
   };
-  if (overrides.empty() && !std::ranges::equal(stored.series, to_stored(study).series, is_same))
+  std::vector<Series> series = stored.series;
+  std::erase_if(series, [&](const Series& each) {
+    return std::ranges::count(study.awaited, each.label, &experiments::AwaitedSolver::label) > 0;
+  });
+  if (overrides.empty() && !std::ranges::equal(series, to_stored(study).series, is_same))
     throw std::invalid_argument(fmt::format(
         "{}: its study names other solvers or options than those that made its solves, so it was changed since then",
         file));
@@ -137,8 +141,11 @@ void write_awaited_targets(const Study& study, const std::filesystem::path& fold
   const std::filesystem::path file = folder / "targets.csv";
   write_file(file, [&](const base::Write& write) { experiments::write_targets(study, write); });
   for (const experiments::AwaitedSolver& awaited : study.awaited)
-    print_message(fmt::format("{} has no answers yet. Its targets are in {}; write its answers into {}, then:",
-                              awaited.label, file.string(), awaited.file));
+    print_message(fmt::format("{}. Its targets are in {}; write its answers into {}, then:",
+                              awaited.reason.empty()
+                                  ? awaited.label + " has no answers yet"
+                                  : fmt::format("{} answered other targets ({})", awaited.label, awaited.reason),
+                              file.string(), awaited.file));
   print_command(command);
 }
 

@@ -40,6 +40,15 @@ bool is_reserved(std::string_view title) {
   return std::ranges::count(pose_titles, title) > 0 || std::ranges::count(others, title) > 0;
 }
 
+// Returns a clause on a column of this name whose title has a unit, such as "q1 [rad]"; empty if there is none.
+std::string hint_at_unit(const base::Sheet& sheet, const std::string& name, std::string_view unit) {
+  for (const std::string& title : sheet.titles())
+    if (const base::Title parts(title); parts.name == name && !parts.unit.empty())
+      return fmt::format(", but {}; expected the header {} without a unit, and values in {}", base::in_quotes(title),
+                         base::in_quotes(name), unit);
+  return "";
+}
+
 // Returns the columns of all joints: by their names if the file has one of these, otherwise q1, q2, ... An arm with a
 // joint whose name is that of another column has only q1, q2, ...
 std::vector<std::size_t> joint_columns(base::Sheet& sheet, const Robot& arm) {
@@ -49,6 +58,9 @@ std::vector<std::size_t> joint_columns(base::Sheet& sheet, const Robot& arm) {
   for (std::size_t j = 0; j < names.size() && !are_named; ++j) names[j] = fmt::format("q{}", j + 1);
   std::vector<std::size_t> columns;
   for (const std::string& name : names) {
+    if (const std::string hint = hint_at_unit(sheet, name, "rad (m, if it slides)");
+        !has_title(sheet, name) && !hint.empty())
+      sheet.refuse(fmt::format("no column {}{}", base::in_quotes(name), hint));
     if (!has_title(sheet, name))
       sheet.refuse(fmt::format("no column {}; the arm has {}: {} to {}", base::in_quotes(name),
                                base::counted(arm.joints(), "joints"), base::in_quotes(names.front()),
@@ -77,7 +89,10 @@ struct AnswerColumns {
     point = sheet.column("point");
     joints = joint_columns(sheet, arm);
     pose = pose_columns(sheet);
-    if (has_title(sheet, "ms")) ms = sheet.column("ms");
+    if (has_title(sheet, "ms"))
+      ms = sheet.column("ms");
+    else if (const std::string hint = hint_at_unit(sheet, "ms", "ms"); !hint.empty())
+      sheet.refuse("no column 'ms'" + hint);
     if (has_title(sheet, "target")) target = sheet.column("target");
   }
 
@@ -103,10 +118,17 @@ double seconds_in(base::Sheet& sheet, std::size_t row, std::size_t column) {
   return value;
 }
 
+std::string digest_of_answer_text(std::string_view text) {
+  return fmt::format("{:016x}", numerics::Key(0).with(text).value());
+}
+
 // Returns the value of a joint [rad, m]; NaN for an empty cell.
 double joint_in(base::Sheet& sheet, std::size_t row, std::size_t column) {
   constexpr double largest = 1e6;  // digits of a larger angle are lost
   const double value = sheet.number(row, column);
+  if (std::isinf(value))
+    sheet.refuse(row, column,
+                 "is infinite; expected the value of a joint; leave out the row of a target without an answer");
   if (std::abs(value) > largest)
     sheet.refuse(row, column, fmt::format("is beyond {:g} rad or m; expected the value of a joint", largest));
   return value;
@@ -144,19 +166,17 @@ void refuse_long_lists(const GivenAnswers& answers) {
   }
 }
 
-// Throws std::invalid_argument for a relative name that leads out of the folder.
-void refuse_outside(const std::string& name, const fs::path& folder) {
-  if (fs::path(name).is_absolute()) return;
+// Returns the full path of a relative name that leads out of the folder; empty for other names.
+fs::path place_outside(const std::string& name, const fs::path& folder) {
+  if (fs::path(name).is_absolute()) return {};
   const fs::path home = fs::weakly_canonical(folder.empty() ? "." : folder);
   const fs::path meant = fs::weakly_canonical(home / name);
-  if (std::mismatch(home.begin(), home.end(), meant.begin(), meant.end()).first == home.end()) return;
-  throw std::invalid_argument(fmt::format("answers is {}, which is outside the study's folder; write its full path, {}",
-                                          base::in_quotes(name), meant.string()));
+  const bool is_inside = std::mismatch(home.begin(), home.end(), meant.begin(), meant.end()).first == home.end();
+  return is_inside ? fs::path() : meant;
 }
 
-[[noreturn]] void refuse_row(const GivenAnswers& answers, const GivenRow& row, const std::string& what) {
-  throw std::invalid_argument(fmt::format("{}:{}: run {}, point {}: {}; export the targets of this study again",
-                                          answers.file, row.line, row.run, row.point, what));
+std::string text_on_row(const GivenAnswers& answers, const GivenRow& row, const std::string& what) {
+  return fmt::format("{}:{}: run {}, point {}: {}", answers.file, row.line, row.run, row.point, what);
 }
 
 // Returns how far the pose of a row is from a target: the largest difference [m], or of a number of the quaternion.
@@ -180,7 +200,7 @@ GivenAnswers answers_in(std::string_view text, const std::string& name, const Ro
   base::Sheet sheet(text, name, 0, base::Sheet::Header::required, max_answer_bytes);
   const AnswerColumns columns(sheet, arm);
   GivenAnswers answers{.file = name,
-                       .digest = fmt::format("{:016x}", numerics::Key(0).with(text).value()),
+                       .digest = digest_of_answer_text(text),
                        .names_targets = columns.target.has_value(),
                        .has_times = columns.ms.has_value()};
   const auto rows = static_cast<Eigen::Index>(sheet.rows().size());
@@ -210,14 +230,26 @@ GivenAnswers answers_in(std::string_view text, const std::string& name, const Ro
 }
 
 std::shared_ptr<const GivenAnswers> read_answers(const std::string& name, const fs::path& folder, const Robot& arm) {
-  refuse_outside(name, folder);
+  if (const fs::path meant = place_outside(name, folder); !meant.empty())
+    throw std::invalid_argument(
+        fmt::format("answers is {}, which is outside the study's folder; write its full path, {}",
+                    base::in_quotes(name), meant.string()));
   std::error_code error;
   if (!fs::exists(folder / name, error)) return nullptr;
   const std::string text = base::text_of_file(folder / name, max_answer_bytes);
-  return std::make_shared<const GivenAnswers>(answers_in(text, name, arm));
+  GivenAnswers answers = answers_in(text, name, arm);
+  answers.path = (folder / name).string();
+  return std::make_shared<const GivenAnswers>(std::move(answers));
 }
 
-void require_targets(const GivenAnswers& answers, const Study& study, const Robot& arm) {
+std::optional<std::string> digest_of_answers(const std::string& name) {
+  std::error_code error;
+  if (fs::path(name).is_absolute() || !place_outside(name, "").empty()) return std::nullopt;
+  if (!fs::is_regular_file(name, error) || fs::file_size(name, error) > max_answer_bytes) return std::nullopt;
+  return digest_of_answer_text(base::text_of_file(name, max_answer_bytes));
+}
+
+std::string difference_in_targets(const GivenAnswers& answers, const Study& study, const Robot& arm) {
   const bool are_compared = answers.names_targets || answers.poses.cols() > 0;
   int run = 0;
   std::vector<Pose> targets;
@@ -225,9 +257,9 @@ void require_targets(const GivenAnswers& answers, const Study& study, const Robo
   for (std::size_t i = 0; i < answers.rows.size(); ++i) {
     const GivenRow& row = answers.rows[i];
     if (row.run > study.runs || row.point > study.path->points())
-      refuse_row(answers, row,
-                 fmt::format("the study has no such target, but {} of {}", base::counted(study.runs, "runs"),
-                             base::counted(study.path->points(), "points")));
+      return text_on_row(answers, row,
+                         fmt::format("the study has no such target, but {} of {}", base::counted(study.runs, "runs"),
+                                     base::counted(study.path->points(), "points")));
     if (!are_compared) continue;
     if (run != row.run) {
       run = row.run;
@@ -236,14 +268,15 @@ void require_targets(const GivenAnswers& answers, const Study& study, const Robo
     }
     const auto place = static_cast<std::size_t>(row.point - 1);
     if (answers.names_targets && row.target != target_digest(targets[place], starts[place]))
-      refuse_row(answers, row,
-                 fmt::format("its target is {}, but the study has {}", base::in_quotes(row.target),
-                             target_digest(targets[place], starts[place])));
+      return text_on_row(answers, row,
+                         fmt::format("its target is {}, but the study has {}", base::in_quotes(row.target),
+                                     target_digest(targets[place], starts[place])));
     constexpr double rounding = 1e-6;
     const bool has_pose = answers.poses.cols() > 0;
     if (has_pose && !(distance_to(answers.poses.col(static_cast<Eigen::Index>(i)), targets[place]) <= rounding))
-      refuse_row(answers, row, "its x to qw are not the study's target (1e-6)");
+      return text_on_row(answers, row, "its x to qw are not the study's target (1e-6)");
   }
+  return "";
 }
 
 void GivenSolver::start(const Problem& problem, Objective& objective, Random&) {

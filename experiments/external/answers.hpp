@@ -33,6 +33,7 @@ struct RowRange {
 // A file of answers, in memory: 100 bytes per row and 8 per joint.
 struct GivenAnswers {
   std::string file;              // as the study names it
+  std::string path = {};         // of the file; empty: the answers are of a text
   std::string digest;            // of its text
   std::vector<GivenRow> rows;    // by run and point; rows of one target in the order of the file
   robots::Candidates q;          // [rad, m], a column per row; NaN for a cell that is no number
@@ -53,8 +54,11 @@ std::shared_ptr<const GivenAnswers> read_answers(const std::string& name, const 
 // Returns the answers of a text, as read_answers does.
 GivenAnswers answers_in(std::string_view text, const std::string& name, const Robot& arm);
 
-// Throws std::invalid_argument, with the line, for an answer to a target that the study does not have.
-void require_targets(const GivenAnswers& answers, const Study& study, const Robot& arm);
+// Returns the digest of a file of answers that a store names; nullopt if the current folder has no such file.
+std::optional<std::string> digest_of_answers(const std::string& name);
+
+// Returns, with the line, which answer is to a target that the study does not have; empty if there is none.
+std::string difference_in_targets(const GivenAnswers& answers, const Study& study, const Robot& arm);
 
 // Answers from a file as a solver. Call `select` before each solve.
 class GivenSolver final : public solvers::Searcher {

@@ -225,12 +225,6 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
             "or no rotation_weight_m");
 }
 
-// Checks answers that were made elsewhere against the study's targets.
-void check_answers(const Study& study, const Robot& arm) {
-  for (const SolverEntry& entry : study.solvers)
-    if (entry.answers) require_targets(*entry.answers, study, arm);
-}
-
 // Drops a control that a sweep splits, or that is not solved.
 void drop_lost_control(Study& study) {
   std::string& control = study.plan.control;
@@ -238,6 +232,28 @@ void drop_lost_control(Study& study) {
   if (control.empty() || std::ranges::find(labels, control) != labels.end()) return;
   study.notes.push_back(fmt::format("the control, {}, is swept or left out, so every pair is compared", control));
   control.clear();
+}
+
+// Drops solvers that figures name and that the study is read without.
+void drop_lost_figures(Study& study) {
+  std::erase_if(study.figures.solvers, [&](const std::string& label) {
+    return std::ranges::count(study.awaited, label, &AwaitedSolver::label) > 0;
+  });
+}
+
+// Checks answers that were made elsewhere against the study's targets. A solver whose answers are to other targets is
+// awaited.
+void check_answers(Study& study, const Robot& arm) {
+  for (const SolverEntry& entry : study.solvers) {
+    if (!entry.answers) continue;
+    const std::string reason = difference_in_targets(*entry.answers, study, arm);
+    if (!reason.empty()) study.awaited.push_back({entry.label, entry.answers->path, reason});
+  }
+  std::erase_if(study.solvers, [&](const SolverEntry& entry) {
+    return std::ranges::count(study.awaited, entry.label, &AwaitedSolver::label) > 0;
+  });
+  drop_lost_control(study);
+  drop_lost_figures(study);
 }
 
 // A name that a key gives, and what it must be the name of.
@@ -348,9 +364,6 @@ Study read_study(const toml::table& table, std::string_view source, const ArmOfS
   read_style(figures, study.figures);
   for (const std::string& label : study.figures.solvers)
     refuse_unknown(figures, {.key = "solvers", .kind = "label", .name = label}, labels_in_file(study));
-  std::erase_if(study.figures.solvers, [&](const std::string& label) {
-    return std::ranges::count(study.awaited, label, &AwaitedSolver::label) > 0;
-  });
   reader.refuse_unknown_keys();
   check_study(reader, study, arm);
   check_answers(study, arm);

@@ -58,10 +58,11 @@ struct SkippedSolver {
   std::string reason;  // "not built: ..."
 };
 
-// A solver whose answers are made elsewhere and are not there yet.
+// A solver whose answers are made elsewhere and are not there yet, or are to other targets.
 struct AwaitedSolver {
   std::string label;
-  std::string file;  // where the study looks for the answers
+  std::string file;         // where the study looks for the answers
+  std::string reason = {};  // which answer is to another target; empty: there is no file
 };
 
 // A study with all that is made of its settings: the arm, the path, the solvers.

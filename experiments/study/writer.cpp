@@ -293,7 +293,7 @@ std::string to_toml(const Study& study) {
   for (const SkippedSolver& skipped : study.skipped)
     text += fmt::format("\n# left out: {} is {}\n", skipped.label, skipped.reason);
   for (const AwaitedSolver& awaited : study.awaited)
-    text += fmt::format("\n# left out: {} has no answers yet, {}\n", awaited.label, awaited.file);
+    text += fmt::format("\n# left out: {} has no answers to these targets yet, {}\n", awaited.label, awaited.file);
   for (const SolverEntry& entry : study.solvers) text += "\n[[solvers]]\n" + lines_of_entry(entry);
   return text;
 }

@@ -85,9 +85,15 @@ succeeds run my.toml --out limited --figures none --set stop.seconds=5
 has "$(tr -s '\n ' ' ' <.out)" "MoveIt is not compared: solved elsewhere, and not every answer has a time"
 
 refused "start is \"previous\"" run my.toml --set start=previous --out chained
-refused "its target is" run my.toml --set seed=2 --out seeded
-[ ! -e seeded ] || fail "a refused study wrote a folder"
+# Answers to the targets of another seed: the current targets are written, and the command goes on.
+ends 5 run my.toml --set seed=2 --out out --figures none
+has "$(tr -s '\n ' ' ' <<<"$err")" "its target is"
+has "$err" "ikbench run my.toml --set seed=2 --out out --figures none"
+cmp <("$program" export out/store.sqlite --format targets) out/targets.csv || fail "targets of another seed"
 rm moveit.csv
+# The study of a store whose file of answers is missing.
+ends 5 run again/store.sqlite --out again2 --no-report
+has "$err" "MoveIt has no answers yet. Its targets are in again2/targets.csv"
 mkfifo moveit.csv
 refused "not a regular file" run my.toml --out piped
 

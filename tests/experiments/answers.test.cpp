@@ -97,6 +97,7 @@ Judged judged(const std::string& csv, const std::string& more = "start = \"rando
   write_text(folder.path / "a.csv", csv);
   write_text(folder.path / "my.toml", study_text("[[solvers]]\nanswers = \"a.csv\"\nlabel = \"MoveIt\"\n", more));
   const Study study = load_study((folder.path / "my.toml").string());
+  if (!study.awaited.empty()) throw std::invalid_argument(study.awaited.front().reason);
   Judged all{.report = report_on(*study.solvers.front().answers, study, robot_of(study))};
   solve_without_store(study, 1, [&](results::SolveRecord solve) {
     all.right += solve.status == results::Status::ok;
@@ -292,6 +293,10 @@ TEST_CASE("a file that is no table of answers for the study is refused", "[answe
   CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6\n1,2,0,0,0,0,0,0\n"), "a.csv:2: run 1, point 2"));
   CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6\n1.5,1,0,0,0,0,0,0\n"), "is not the number of a run"));
   CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6,ms\n1,1,0,0,0,0,0,0,0\n"), "is not a time"));
+  CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6\n1,1,0,0,inf,0,0,0\n"), "is infinite; expected the value"));
+  CHECK(contains(refusal("run,point,q1 [rad],q2,q3,q4,q5,q6\n1,1,0,0,0,0,0,0\n"),
+                 "no column 'q1', but 'q1 [rad]'; expected the header 'q1' without a unit"));
+  CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6,ms [ms]\n1,1,0,0,0,0,0,0,1\n"), "no column 'ms', but 'ms [ms]'"));
   const std::string hostile =
       refusal("run,point,q1,q2,q3,q4,q5,q6\n1,1,0,0,0,0,0,\x1b[2J" + std::string(100, 'a') + "\n");
   CHECK_FALSE(contains(hostile, "\x1b"));
@@ -336,7 +341,22 @@ TEST_CASE("targets go out and come back", "[answers]") {
   const std::string of_another_seed =
       complaint<std::invalid_argument>([&] { judged(answered, "start = \"random\"\nseed = 2\n"); });
   CHECK(contains(of_another_seed, "a.csv:2: run 1, point 1: its target is '"));
-  CHECK(contains(of_another_seed, "export the targets of this study again"));
+}
+
+TEST_CASE("a solver whose answers are to other targets is awaited, and the others stay", "[answers]") {
+  const ScratchFolder folder;
+  write_text(folder.path / "a.csv", "run,point,target,q1,q2,q3,q4,q5,q6\n1,1,0123456789abcdef,0,0,0,0,0,0\n");
+  write_text(folder.path / "my.toml",
+             study_text(lm + "label = \"LM\"\n[[solvers]]\nanswers = \"a.csv\"\nlabel = \"MoveIt\"\n",
+                        "start = \"middle\"\n") +
+                 "[analysis]\ncontrol = \"MoveIt\"\n[figures]\nsolvers = [\"LM\", \"MoveIt\"]\n");
+  const Study study = load_study((folder.path / "my.toml").string());
+  CHECK(labels_of(study) == std::vector<std::string>{"LM"});
+  REQUIRE(study.awaited.size() == 1);
+  CHECK(study.awaited.front().file == (folder.path / "a.csv").string());
+  CHECK(contains(study.awaited.front().reason, "a.csv:2: run 1, point 1: its target is '0123456789abcdef'"));
+  CHECK(study.plan.control.empty());
+  CHECK(study.figures.solvers == std::vector<std::string>{"LM"});
 }
 
 TEST_CASE("an edited file of answers is another series", "[answers]") {
