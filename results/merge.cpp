@@ -56,6 +56,18 @@ std::vector<std::string> configurations_of(const StoredStudy& study) {
   return keys;
 }
 
+// Returns the first label that was solved with other answers made elsewhere; empty if other solvers differ, too.
+std::string label_of_other_answers(const StoredStudy& study, const StoredStudy& other) {
+  std::string label;
+  for (std::size_t i = 0; i < study.series.size(); ++i) {
+    const Series& series = study.series[i];
+    if (series.key == other.series[i].key) continue;
+    if (!base::parsed_json(series.options).contains("answers")) return "";
+    if (label.empty()) label = series.label;
+  }
+  return label;
+}
+
 std::string requirements_text(const std::vector<Requirement>& requirements) {
   std::vector<std::string> texts;
   for (const Requirement& requirement : requirements) texts.push_back(requirement.text());
@@ -70,6 +82,8 @@ std::string why_not_one(const StoredStudy& study, const StoredStudy& other) {
   if (configurations_of(study) != configurations_of(other)) return "its solvers or their options differ";
   if (!std::ranges::equal(study.series, other.series, {}, &Series::label, &Series::label))
     return "the labels of its solvers differ";
+  if (const std::string label = label_of_other_answers(study, other); !label.empty())
+    return fmt::format("{} was solved with another file of answers; use one file for all", base::in_quotes(label));
   if (keys_of(study) != keys_of(other))
     return "the version of the solvers or of shared code differs; use one version of ikbench for all";
   const auto &required = study.definition.requirements, &other_required = other.definition.requirements;

@@ -241,6 +241,17 @@ TEST_CASE("of two numbers of runs the larger is taken, and how a study is judged
   }
 }
 
+TEST_CASE("shards with other files of answers are refused by the solver's label", "[merge]") {
+  const ScratchFolder folder;
+  for (const char* const file : {"a", "b"}) {
+    StoredStudy study = sample_study();
+    study.series = {{fmt::format("1@{}", file), "MoveIt", "elsewhere", R"({"answers":"moveit.csv"})"}};
+    Store(folder.path / file, Store::Mode::write).save_study(study);
+  }
+  CHECK_THROWS_WITH(merge(folder.path / "out", {folder.path / "a", folder.path / "b"}),
+                    ContainsSubstring("'MoveIt' was solved with another file of answers"));
+}
+
 TEST_CASE("two studies of one name with other requirements are refused", "[merge]") {
   const ScratchFolder folder;
   for (const char* const share : {"95", "90"}) {
