@@ -119,6 +119,11 @@ void add_verify(const Command& command, Invocation& invocation) {
                     study.name, base::counted(static_cast<std::int64_t>(checked), "solves"),
                     redraw ? ", targets and starts from the seed" : "", repeated, seal, fmt::join(unchecked, "; "));
     fmt::print("{}\n{}\n", printable(wrapped(text)), printable(line));
+    for (const std::string& label : again.changed_answers)
+      warn(
+          fmt::format("the file of {}'s answers was changed since they were solved; to judge it as it is now, run the "
+                      "study again",
+                      label));
     const std::string lack = missing_solves_text(store, study);
     if (lack.empty()) return;
     print_message(fmt::format("{} {}", study.name, lack));

@@ -16,6 +16,7 @@
 #include "base/json.hpp"
 #include "base/names.hpp"
 #include "base/units.hpp"
+#include "experiments/external/answers.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/solve_runner.hpp"
 #include "experiments/study/reader.hpp"
@@ -292,14 +293,33 @@ void check_name(const StoredStudy& study, const Series& series) {
 
 }  // namespace
 
+namespace {
+
+// Returns whether the current folder has the file of answers of a series, and it is another one than that of the
+// solves.
+bool has_changed_answers(const Series& series, const std::vector<Session>& sessions) {
+  const Json options = parsed_json(series.options);
+  if (!options.contains("answers") || !options["answers"].is_string()) return false;
+  const auto digest = digest_of_answers(options["answers"].get<std::string>());
+  return digest && std::ranges::none_of(sessions, [&](const Session& session) {
+           const auto shared = session.environment.find("source");
+           return shared != session.environment.end() &&
+                  series.key.find(source_key_of(shared->second, *digest)) != std::string::npos;
+         });
+}
+
+}  // namespace
+
 RerunReport rerun_sample(const Store& store, const StoredStudy& stored, std::int64_t max_solves,
                          const std::function<void(const Progress&)>& progress) {
   Study study = study_in_store(stored);
   RerunReport report;
+  const std::vector<Session> sessions = store.sessions();
   std::map<std::string, SolverEntry> entries;  // by label
   std::map<std::string, SolveRunner> runners;
   for (const Series& series : stored.series) {
     check_name(stored, series);
+    if (has_changed_answers(series, sessions)) report.changed_answers.push_back(series.label);
     std::optional<SolverEntry> entry = built_in(series, parsed_json(series.options));
     if (!entry)
       report.external.push_back(series.label);

@@ -34,6 +34,8 @@ struct RerunReport {
   std::int64_t eligible = 0;                     // stored solves that could be repeated
   std::vector<std::string> external = {};        // labels of programs and of solvers of libraries
   std::vector<std::string> changed_source = {};  // labels of solvers that were another version
+  // Labels of answers made elsewhere whose file in the current folder was changed since they were solved.
+  std::vector<std::string> changed_answers = {};
 };
 // Repeats solves of the stored study, at most `max_solves`, chosen at random, and calls `progress` before each. It
 // repeats none if the clock may end solves. Throws std::invalid_argument, with the place of the solve, if a bit of the

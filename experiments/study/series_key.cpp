@@ -101,10 +101,14 @@ std::string source_digest_of(const SolverEntry& entry) {
 
 std::string library_name(const SolverEntry& entry) { return entry.program ? "" : solver_info(entry).library; }
 
-std::string source_key(const SolverEntry& entry) {
-  Key source = Key(0).with(shared_source_digest()).with(source_digest_of(entry));
-  if (const std::string library = library_name(entry); !library.empty()) source = source.with(library);
+std::string source_key_of(const std::string& shared, const std::string& own, const std::string& library) {
+  Key source = Key(0).with(shared).with(own);
+  if (!library.empty()) source = source.with(library);
   return fmt::format("{}{:016x}", source_separator, source.value());
+}
+
+std::string source_key(const SolverEntry& entry) {
+  return source_key_of(shared_source_digest(), source_digest_of(entry), library_name(entry));
 }
 
 std::string series_key(const Study& study, const SolverEntry& entry) {

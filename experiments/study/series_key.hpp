@@ -20,6 +20,8 @@ std::string source_digest_of(const SolverEntry& entry);
 std::string library_name(const SolverEntry& entry);
 // Returns the part of the entry's keys that is made of the shared sources, the solver's source and a peer's library.
 std::string source_key(const SolverEntry& entry);
+// Returns the same from the digests of the shared sources and of the solver's own, and the name of its library.
+std::string source_key_of(const std::string& shared, const std::string& own, const std::string& library = "");
 // Returns configuration_key and source_key, with a hash of the study's check if there is one. Equal keys mean equal
 // numbers on one machine, unless a solve ends by its wall time.
 std::string series_key(const Study& study, const SolverEntry& entry);

@@ -59,8 +59,13 @@ has "$out" "self-reported"
 [[ $out != *" as long as "* ]] || fail "times of elsewhere are compared: $out"
 equal "times" "$(column out/store.sqlite seconds MoveIt | sort -u)" 0.0025
 succeeds verify out/store.sqlite
+has_no "$err" "was changed"
 succeeds run out/store.sqlite --out again --no-report # the file lies in this folder
 is again MoveIt "12 ok"
+
+echo >>moveit.csv
+succeeds verify out/store.sqlite
+has "$(tr -s '\n ' ' ' <<<"$err")" "the file of MoveIt's answers was changed since they were solved"
 
 # The cause of wrong answers is the first that is said; an edited file is read again, and its cause goes.
 answers '[math.degrees(x) for x in q]'
