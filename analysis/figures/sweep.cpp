@@ -43,7 +43,7 @@ CurveRow time_row(const SweptValue& swept, const std::string& solver) {
   if (std::ranges::count(not_compared, solver) > 0) return row;
   std::vector<double> times = solve_times(swept.judged->study, solver);
   if (times.empty()) return row;
-  for (double& time : times) time *= 1000;
+  for (double& value : times) value *= 1000;
   std::ranges::sort(times);
   row.y = quantile(times, 0.5);
   if (const std::optional<Interval> interval = quantile_interval(times, 0.5)) {
