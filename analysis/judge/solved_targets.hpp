@@ -16,7 +16,7 @@ namespace ikbench::judge {
 
 // A target, with the cheapest of the solves that solved it.
 struct SolvedTarget {
-  int run = 0;  // 0: the runs have the same targets
+  int run = 0;  // 0: the runs have the same targets, or there is one run
   int point = 1;
   std::size_t solvers = 0;  // number of solvers that solve the target
   // The solver and the number of the solve with the fewest evaluations, and with the least time [s] of a single call on

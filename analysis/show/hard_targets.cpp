@@ -58,7 +58,7 @@ Table targets_table(const SolvedTargets& all) {
     const auto& seconds = target.least_seconds;
     table.rows.push_back(
         {target.run == 0 ? Cell() : Cell(std::int64_t{target.run}), std::int64_t{target.point},
-         static_cast<std::int64_t>(target.solvers), fmt::format("{}", fmt::join(solvers, "; ")),
+         static_cast<std::int64_t>(target.solvers), text_cell(fmt::format("{}", fmt::join(solvers, "; "))),
          evaluations ? Cell(evaluations->second) : Cell(), evaluations ? Cell(all.solvers[evaluations->first]) : Cell(),
          seconds ? Cell(1000 * seconds->second) : Cell(), seconds ? Cell(all.solvers[seconds->first]) : Cell()});
   }
