@@ -2,7 +2,7 @@
 # above this source is another one.
 set(commit "unknown")
 if(GIT)
-  execute_process(COMMAND ${GIT} --git-dir=${SOURCE}/.git --work-tree=${SOURCE} describe --always --dirty --abbrev=12
+  execute_process(COMMAND ${GIT} --git-dir=${SOURCE}/.git --work-tree=${SOURCE} describe --always --dirty --abbrev=12 --exclude=*
                   OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
   if(failed)
     set(commit "unknown")
