@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs a study and compares its store with a baseline, as action.yml does: STUDY=my.toml BASELINE=old.sqlite cli/gate.sh
-# With REQUIRE (solved=95%, one requirement per line) the study's own solvers must also show these shares, and BASELINE is
-# not needed; an inconclusive requirement fails.
+# With REQUIRE (solved=95%, one requirement per line), or [require] in the study, solvers must also show these shares, and
+# BASELINE is not needed; an inconclusive requirement fails.
 # MARGIN (5%; default: the plan's), METRIC (solved,evaluations; default: all that the plan names), STRICT (true: inconclusive
 # fails, too), OUT (ikbench-gate), IKBENCH (the program).
 # With OLD, an older ikbench, in place of BASELINE both solve the study in turn, so that times decide, too: ROUNDS (20),
@@ -26,8 +26,6 @@ refuse() { echo "gate: $1" >&2; ended failed 1; }
 [[ -n $study ]] || refuse "STUDY is not set; expected a study, such as STUDY=my.toml"
 old=${OLD:-} rounds=${ROUNDS:-20} time_margin=
 [[ -z $old ]] || baseline=$out/before/store.sqlite time_margin=${TIME_MARGIN:-10%}
-[[ -n $baseline || -n ${REQUIRE:-} ]] ||
-  refuse "BASELINE is not set; expected the store of the baseline, such as BASELINE=old.sqlite, or REQUIRE=solved=95%"
 [[ -z ${TURNS:-} ]] || refuse "TURNS is now called ROUNDS"
 [[ $rounds =~ ^[1-9][0-9]{0,3}$ ]] || refuse "ROUNDS is $rounds; expected a number from 1 to 9999"
 [[ -z $time_margin || $time_margin =~ ^[0-9]+(\.[0-9]+)?%$ ]] || refuse "TIME_MARGIN is $time_margin; expected a percentage, such as 10%"
@@ -71,7 +69,11 @@ end_by_requirements() {
     *) ended inconclusive 4 ;;
   esac
 }
-[[ -n $baseline ]] || end_by_requirements passed
+[[ -n $baseline || -z ${REQUIRE:-} ]] || end_by_requirements passed
+[[ -n $baseline ]] || {
+  echo "Nothing was compared: set REQUIRE=solved=95%, OLD, or BASELINE, such as a copy of $out/store.sqlite. A [require] of the study decides alone."
+  end_by_requirements no-baseline
+}
 [[ -e $baseline || -L $baseline ]] || { echo "There is no baseline yet; keep $out/store.sqlite as $baseline."; end_by_requirements no-baseline; }
 differ  # of files that were not there
 options=(${MARGIN:+--margin="$MARGIN"} ${time_margin:+--time-margin="$time_margin"} ${METRIC:+--metric="$METRIC"})

@@ -77,7 +77,7 @@ refused "add time" compare LM SLSQP --store several/store.sqlite --metric solved
 
 # Programs: three times the evaluations for the same answers are worse (crashes: regression.test.cpp).
 cp "$scripts/studies/gate.toml" .
-pso=$root/docs/examples/pso.py action=$(sed -n 's/^ *run: //p' "$root/action.yml")
+pso=$root/docs/examples/pso.py action=$(sed -n 's/^ *run: //p' "$root/action.yml" | tail -n 1)
 for input in $(sed -n 's/^ *\([A-Z_]*\): \${{ inputs.*/\1/p' "$root/action.yml"); do
   grep -q "{$input:" "$root/cli/gate.sh" || fail "cli/gate.sh does not know $input of action.yml"
 done

@@ -22,7 +22,7 @@ fi
 version=$("$program" --version | cut -d' ' -f 2)
 equal "version of CITATION.cff" "$(sed -n 's/^version: //p' "$tree/CITATION.cff")" "$version"
 equal "first version of CHANGELOG.md" "$(sed -n 's/^## \([0-9.]*\).*/\1/p' "$tree/CHANGELOG.md" | head -n 1)" "$version"
-! can git || equal "tags of this commit" "$(git -C "$tree" tag --list --points-at HEAD 'v*' 2>/dev/null | grep -vxF "v$version" || true)" ""
+! can git || equal "tags of this commit" "$(git -C "$tree" tag --list --points-at HEAD 'v*' 2>/dev/null | grep -vxE "v${version%%.*}|v${version%.*}|v$version" || true)" ""
 
 # The packages, as ./setup --with-package release package makes them: the program, with the libraries that it needs.
 if can dpkg-shlibdeps file; then
