@@ -64,9 +64,10 @@ struct Pipe {
   std::array<int, 2> ends{};  // the reading end, the writing end
 };
 
-// Returns an error number, or 0 if the process runs.
+// Starts a process that has these descriptors as 0, 1, 2, ... and no others. Returns an error number, or 0 if the
+// process runs.
 int spawn(pid_t& process, std::vector<std::string>& words, const std::filesystem::path& folder,
-          std::vector<std::string>& own_variables, const std::array<int, 3>& descriptors) {
+          std::vector<std::string>& own_variables, const std::vector<int>& descriptors) {
   std::vector<char*> arguments, variables;
   for (std::string& word : words) arguments.push_back(word.data());
   for (std::string& assignment : own_variables) variables.push_back(assignment.data());
@@ -82,8 +83,9 @@ int spawn(pid_t& process, std::vector<std::string>& words, const std::filesystem
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawnattr_init(&attributes);
   if (!folder.empty()) ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  for (int i = 0; i < 3; ++i) ::posix_spawn_file_actions_adddup2(&actions, descriptors[static_cast<std::size_t>(i)], i);
-  posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
+  int count = 0;
+  for (const int descriptor : descriptors) ::posix_spawn_file_actions_adddup2(&actions, descriptor, count++);
+  posix_spawn_file_actions_addclosefrom_np(&actions, count);
   sigset_t none, all;
   sigemptyset(&none);  // macros on macOS
   sigfillset(&all);
@@ -95,6 +97,13 @@ int spawn(pid_t& process, std::vector<std::string>& words, const std::filesystem
   ::posix_spawnattr_destroy(&attributes);
   ::posix_spawn_file_actions_destroy(&actions);
   return error;
+}
+
+double cpu_seconds_of(pid_t process) {
+  clockid_t clock{};
+  timespec time{};
+  if (clock_getcpuclockid(process, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return 0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 void wait_for_end(pid_t process) {
@@ -158,12 +167,14 @@ template <class Spawn>
 }  // namespace
 
 ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem::path& folder,
-                           std::vector<std::string> variables) {
+                           std::vector<std::string> variables, const std::vector<int>& inherited) {
   Pipe input, output, errors, lifeline, reply;
   guard_ = ::fork();
   if (guard_ == 0)
     guard(lifeline.ends[0], reply.ends[1], [&](pid_t& process) {
-      return spawn(process, words, folder, variables, {input.ends[0], output.ends[1], errors.ends[1]});
+      std::vector<int> descriptors{input.ends[0], output.ends[1], errors.ends[1]};
+      descriptors.insert(descriptors.end(), inherited.begin(), inherited.end());
+      return spawn(process, words, folder, variables, descriptors);
     });
   if (guard_ < 0) throw std::runtime_error(fmt::format("no process starts: {}; raise ulimit -u", std::strerror(errno)));
   ::close(reply.take(1));
@@ -212,10 +223,8 @@ bool ChildProcess::is_running() {
 }
 
 double ChildProcess::cpu_seconds() const {
-  clockid_t clock{};
-  timespec time{};
-  if (has_ended_ || clock_getcpuclockid(process_, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return 0;
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  if (has_ended_) return 0;
+  return cpu_seconds_of(process_) + (worker_ > 0 ? cpu_seconds_of(worker_) : 0);
 }
 
 void ChildProcess::close_one(int& descriptor) {

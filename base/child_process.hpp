@@ -1,6 +1,6 @@
-// Another program, run without a shell: an external solver, a check, gnuplot. It has its own process group and none of
-// our descriptors. It ends when our process ends, for whatever reason. All that it started ends with it, on Linux even
-// what left its group.
+// Another program, run without a shell: an external solver, a check, gnuplot. It has its own process group and no
+// descriptors of ours but those that it is given. It ends when our process ends, for whatever reason. All that it
+// started ends with it, on Linux even what left its group.
 #pragma once
 
 #include <sys/types.h>
@@ -28,9 +28,11 @@ class ChildProcess {
   static constexpr std::size_t max_line_bytes = 1'000'000;  // bytes
 
   // Starts the program `words[0]`, found as a shell finds it, with the other words as arguments, in a folder (empty:
-  // the current one). The program gets our environment with these variables, "LC_ALL=C". Throws std::invalid_argument
-  // if it cannot be started.
-  ChildProcess(std::vector<std::string> words, const std::filesystem::path& folder, std::vector<std::string> variables);
+  // the current one). The program gets our environment with these variables, "LC_ALL=C", and the `inherited`
+  // descriptors of ours as 3, 4, ..., which must be larger than those numbers. Throws std::invalid_argument if it
+  // cannot be started.
+  ChildProcess(std::vector<std::string> words, const std::filesystem::path& folder, std::vector<std::string> variables,
+               const std::vector<int>& inherited = {});
   // Runs a program to its end, for at most a minute. It has no input.
   struct Ran {
     bool succeeded = false;
@@ -50,7 +52,9 @@ class ChildProcess {
   void end_input() { close_one(input_); }
 
   bool is_running();
-  double cpu_seconds() const;  // [s] of all its threads; 0: not known
+  double cpu_seconds() const;  // [s] of all threads of the program and of who works for it; 0: not known
+  // Names another process that does the program's work, so that its processor time counts.
+  void set_worker(pid_t process) { worker_ = process; }
   // Closes the program's standard input, waits for `timeout`, then ends it by force with all that it started.
   void end(std::chrono::milliseconds timeout);
   // Ends the program after a failure. Returns how it ended by itself and its last words: " (exit code 3); its last
@@ -66,6 +70,7 @@ class ChildProcess {
 
   pid_t guard_ = -1;  // parent of the program; ends it when our process is gone, then ends as it did
   pid_t process_ = -1;
+  pid_t worker_ = -1;  // -1: the program itself
   int lifeline_ = -1;  // open while our process lives
   int input_ = -1, output_ = -1, errors_ = -1;
   int status_ = 0;  // as waitpid gives it

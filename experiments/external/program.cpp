@@ -1,6 +1,7 @@
 #include "experiments/external/program.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -49,6 +50,27 @@ std::string digest_of(const ProgramSpec& choice, const fs::path& folder, const H
   }
   for (const std::string& name : choice.files) text += name + '\n' + file_digest(folder / name);
   return digest_of_text(text);
+}
+
+// Returns the two pipes that IKBENCH_RELAY names, which programs inherit as descriptors 3 and 4. `ikbench.study` of the
+// Python module sets the variable: a function in its process is asked by a relay (solvers/helpers/ikbench_notebook.py),
+// which has no other way there. Returns none without the variable. Throws std::invalid_argument if there are no such
+// pipes, so that no program gets another file of ours.
+std::vector<int> relay_pipes() {
+  const char* const text = std::getenv("IKBENCH_RELAY");
+  if (text == nullptr) return {};
+  std::vector<int> pipes;
+  std::istringstream numbers(text);
+  for (int number = 0; numbers >> number;) pipes.push_back(number);
+  const auto is_pipe = [](int number) {
+    struct stat file {};
+    return number > STDERR_FILENO + 2 && ::fstat(number, &file) == 0 && S_ISFIFO(file.st_mode);
+  };
+  if (pipes.size() != 2 || !numbers.eof() || !std::ranges::all_of(pipes, is_pipe))
+    throw std::invalid_argument(fmt::format(
+        "the variable IKBENCH_RELAY is \"{}\"; expected two pipes, which only ikbench.study of Python opens; unset it",
+        base::one_line(base::front(text, 60))));
+  return pipes;
 }
 
 }  // namespace
@@ -100,8 +122,10 @@ std::unique_ptr<ChildProcess> launch(const ProgramSpec& choice, const fs::path& 
   if (choice.memory_mb > 0)
     arguments.insert(arguments.begin(),
                      {"sh", "-c", fmt::format(R"(ulimit -v {} && exec "$0" "$@")", 1000 * choice.memory_mb)});
-  auto child =
-      std::make_unique<ChildProcess>(arguments, folder, std::vector<std::string>{"LC_ALL=C", "OMP_NUM_THREADS=1"});
+  const std::vector<int> pipes = relay_pipes();
+  auto child = std::make_unique<ChildProcess>(arguments, folder,
+                                              std::vector<std::string>{"LC_ALL=C", "OMP_NUM_THREADS=1"}, pipes);
+  if (!pipes.empty()) child->set_worker(::getppid());  // opened the pipes, and has the function
   const double timeout = std::max(start_timeout, choice.timeout);
   try {
     hello = read_message(*child, deadline_in(timeout)).hello();

@@ -1,6 +1,10 @@
 #include "base/child_process.hpp"
 
+#include <fcntl.h>
 #include <signal.h>
+#include <unistd.h>
+
+#include <array>
 
 #include "tests/common.hpp"
 
@@ -18,6 +22,21 @@ TEST_CASE("a line ends as Unix or Windows ends it") {
   const auto deadline = Clock::now() + std::chrono::minutes(1);
   CHECK(child.read_line(deadline) == "a");
   CHECK(child.read_line(deadline) == "b");
+}
+
+TEST_CASE("a program has the descriptors that it is given, and no others") {
+  std::array<int, 2> given{}, kept{};
+  REQUIRE(::pipe(given.data()) == 0);
+  REQUIRE(::pipe(kept.data()) == 0);
+  const int high = ::fcntl(given[1], F_DUPFD, 20);
+  const std::string others =
+      "echo given >&3; for i in 4 5 6 7 8 9; do ! true >&$i || echo $i; done 2>/dev/null; echo end";
+  ChildProcess child({"bash", "-c", others}, {}, {}, {high});
+  CHECK(child.read_line(Clock::now() + std::chrono::minutes(1)) == "end");
+  std::string text(6, ' ');
+  CHECK(::read(given[0], text.data(), text.size()) == 6);
+  CHECK(text == "given\n");
+  for (const int descriptor : {given[0], given[1], kept[0], kept[1], high}) ::close(descriptor);
 }
 
 TEST_CASE("what a program leaves behind ends with it, also what has a session of its own") {
