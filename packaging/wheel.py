@@ -2,7 +2,7 @@
 """wheel.py ARCHIVE: makes a Python wheel of the program's archive (ikbench-VERSION-linux-MACHINE.tar.gz), beside it.
 
 A wheel is that archive with other names: what is in bin/ are scripts, the rest stands in the same place of the prefix. Its
-module is the helper of programs in Python, which any Python 3 runs.
+modules are the helper of programs in Python, which any Python 3 runs, and what makes a function of a notebook a solver.
 """
 import base64
 import hashlib
@@ -27,7 +27,8 @@ with tarfile.open(archive) as tar:
             place = path.replace("bin/", "scripts/", 1) if path.startswith("bin/") else f"data/{path}"
             files[f"ikbench-{version}.data/{place}"] = tar.extractfile(member).read()
 files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: ikbench\nRoot-Is-Purelib: false\nTag: py3-none-manylinux_2_{needed}_{machine}\n".encode()
-files["ikbench.py"] = files[f"ikbench-{version}.data/data/share/doc/ikbench/solvers/helpers/ikbench.py"]
+for module in ("ikbench.py", "ikbench_notebook.py"):
+    files[module] = files[f"ikbench-{version}.data/data/share/doc/ikbench/solvers/helpers/{module}"]
 files[f"{info}/METADATA"] = f"""Metadata-Version: 2.1
 Name: ikbench
 Version: {version}
@@ -44,7 +45,8 @@ Requires-Dist: pandas; extra == "notebook"
 Description-Content-Type: text/markdown
 
 The program `ikbench` runs inverse-kinematics solvers on studies and says which is better. Without gnuplot it draws no figures.
-The module `ikbench` is what a solver in Python imports; its `solves` and `results` are pandas DataFrames, for a notebook.
+The module `ikbench` is what a solver in Python imports. Its `study` compares functions in a notebook with other solvers;
+`solves` and `results` are pandas DataFrames.
 The pages are in `share/doc/ikbench` of the environment: begin with `README.md` and `docs/tutorial.md`.
 """.encode()
 digest = lambda data: base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()

@@ -50,6 +50,16 @@ if can dpkg-shlibdeps file; then
     (cd notebook && ../venv/bin/python -c 'import ikbench
 assert len(ikbench.solves("made")) == len(ikbench.solves("made/store.sqlite", "slim2023")) > 5
 assert "verdict" in ikbench.results("made")[0] and ikbench.results("made", "groups")') || fail "no results in Python"
+    # A function in a notebook is a solver; the wheel's ikbench_notebook.py calls it. ./check --all tries it with pandas, too.
+    cells() { (cd wheel && ../venv/bin/python "$scripts/cells.py" "$tree/docs/examples/notebook.ipynb" >../.out 2>&1) || fail "the wheel's notebook: $(<.out)"; }
+    mkdir wheel
+    cells
+    if [ -n "${IKBENCH_ALL:-}" ]; then
+      venv/bin/pip install -q pandas >.log 2>&1 || fail "no pandas: $(<.log)"
+      cells
+      (cd wheel && ../venv/bin/python "$scripts/notebook.py" "$(echo "$work"/venv/lib/python3*/site-packages)" >../.out 2>&1) || fail "with pandas: $(<.out)"
+      has "$(<.out)" "pandas "
+    fi
     has "$(venv/bin/pip show ikbench)" "compares inverse-kinematics solvers"
   else
     echo "skipped in part: no ensurepip"
