@@ -12,6 +12,7 @@
 #include "base/names.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"
+#include "experiments/known_answers.hpp"
 #include "experiments/stored_checks.hpp"
 #include "experiments/targets.hpp"
 #include "results/fingerprint.hpp"
@@ -50,9 +51,10 @@ void add_export(const Command& command, Invocation&) {
   command
       .add(
           "--format", &arguments->format,
-          "csv: one row per solve; targets: one row per target, for solvers elsewhere; fingerprint: a hash of all results "
+          "csv: one row per solve; targets: one row per target, for solvers elsewhere; answers: one row per answer, where "
+          "solvers give several; fingerprint: a hash of all results "
           "except times; archive: one file with its seal, a hash of all its content")
-      .one_of({"csv", "targets", "fingerprint", "archive"});
+      .one_of({"csv", "targets", "answers", "fingerprint", "archive"});
   add_out_option(command, arguments->file, "file to write; - for standard output");
   command.footer(
       "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
@@ -85,6 +87,11 @@ void add_export(const Command& command, Invocation&) {
     if (arguments->format == "targets") {
       store.in_snapshot(
           [&] { write_out([&](const Write& write) { experiments::write_targets(store, study, write); }); });
+      return;
+    }
+    if (arguments->format == "answers") {
+      store.in_snapshot(
+          [&] { write_out([&](const Write& write) { experiments::write_answers(store, study, write); }); });
       return;
     }
     store.in_snapshot([&] {

@@ -20,6 +20,7 @@
 #include "experiments/environment.hpp"
 #include "experiments/external/answers.hpp"
 #include "experiments/external/external_solver.hpp"
+#include "experiments/known_answers.hpp"
 #include "experiments/solve_runner.hpp"
 #include "experiments/stored_checks.hpp"
 #include "experiments/study/series_key.hpp"
@@ -528,7 +529,9 @@ Progress run(const Study& study, const StoredStudy& stored, Store& store, const 
   progress.done = progress.reused;
   if (request.progress) request.progress(progress);
   if (progress.done < progress.total) solve_missing(work, stored, store, request, progress);
-  if (progress.done == progress.total) refuse_another(stored, store.study(study.name));
+  if (progress.done < progress.total) return progress;
+  refuse_another(stored, store.study(study.name));
+  count_answers(study, stored, store, request.jobs, request.cancelled);
   return progress;
 }
 

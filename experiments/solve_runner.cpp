@@ -175,6 +175,7 @@ SolveRunner::TimedSolve SolveRunner::solve_timed(Solver& solver, const SolveRequ
   if (program == nullptr) return timed;
   const ProcessReport& report = timed.report.emplace(program->report());
   timed.cpu_seconds = report.cpu_seconds;
+  if (task_.arm().joints() == arm_.joints()) timed.all_answers = report.all_answers;
   timed.solution.evaluations = report.evaluations;
   timed.solution.iterations = report.iterations;
   if (study_.trace == Trace::none) return timed;

@@ -78,7 +78,7 @@ class SolveRunner {
     std::optional<ProcessReport> report = {};  // of a program, or of a file of answers
     double cpu_seconds = 0;                    // [s], of the program, otherwise of this thread
     std::map<std::string, double> extras = {};
-    std::vector<double> all_answers = {};  // [rad, m], of a file that has several
+    std::vector<double> all_answers = {};  // [rad, m], if the solver gives all of its answers
   };
   TimedSolve solve_timed(solvers::Solver& solver, const SolveRequest& call) const;
   results::SolveRecord make_record(const SolveRequest& call, const TimedSolve& made, results::Status status,

@@ -32,9 +32,6 @@ using namespace base;
 using namespace numerics;
 using namespace results;
 
-namespace {
-
-// Returns a stored study without its solvers and path.
 Study study_in_store(const StoredStudy& stored) {
   const std::optional<Robot> arm = robots::stored_arm(stored.definition.arm);
   if (!arm)
@@ -49,11 +46,15 @@ Study study_in_store(const StoredStudy& stored) {
 }
 
 Pose target_of(const SolveRecord& solve) {
+  if (solve.target_position_m.size() != 3 || solve.target_rotation.size() != 9)
+    throw std::invalid_argument(fmt::format("{}, run {}, point {} has no target", solve.label, solve.run, solve.point));
   Pose target = Pose::Identity();
   target.translation() = to_eigen(solve.target_position_m);
   target.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(solve.target_rotation.data());
   return target;
 }
+
+namespace {
 
 [[noreturn]] void refuse(const SolveRecord& solve, const std::string& what) {
   throw std::invalid_argument(

@@ -9,10 +9,16 @@
 #include <string>
 #include <vector>
 
+#include "experiments/study/study.hpp"
 #include "experiments/workers.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::experiments {
+
+// Returns a stored study without its solvers and path. Throws std::invalid_argument if the stored arm cannot be read.
+Study study_in_store(const results::StoredStudy& stored);
+// Returns the target of a solve. Throws std::invalid_argument if the record has none.
+Pose target_of(const results::SolveRecord& solve);
 
 // Returns a check of a study's solves. The check computes errors, joint motion and status of each solve again, from
 // arm, target, start and answer. It throws std::invalid_argument, with the place of the solve, if they differ, or if no

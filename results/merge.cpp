@@ -174,6 +174,16 @@ void check_taken(SQLite::Database& sqlite, const Store& ours, const MakeCheck& c
       check_solves(ours, study, check_of, theirs);
 }
 
+// Returns whether the database `source` has a table that not every store has, and then creates it in `main`, too.
+bool has_optional_table(SQLite::Database& sqlite, const std::string& name) {
+  SQLite::Statement query(sqlite, "SELECT coalesce(max(sql), '') FROM source.sqlite_master WHERE name = ?");
+  query.bind(1, name);
+  query.executeStep();
+  const std::string table = query.getColumn(0).getString();
+  if (!table.empty() && !sqlite.tableExists(name)) sqlite.exec(table);
+  return !table.empty();
+}
+
 // Copies what `main` lacks from the database `source`. The sessions of new solves get new numbers, and each study keeps
 // the larger number of runs. Returns how many solves are new.
 std::int64_t copy_missing(SQLite::Database& sqlite) {
@@ -198,14 +208,14 @@ std::int64_t copy_missing(SQLite::Database& sqlite) {
                   "INSERT OR IGNORE INTO main.series SELECT * FROM source.series "
                   "WHERE study IN (SELECT name FROM source.studies)",
                   session, row));
-  const std::string table =
-      sqlite.execAndGet("SELECT coalesce(max(sql), '') FROM source.sqlite_master WHERE name = 'extras'").getString();
-  if (table.empty()) return added;
-  if (!sqlite.tableExists("extras")) sqlite.exec(table);
-  sqlite.exec(fmt::format(
-      "INSERT OR IGNORE INTO main.extras SELECT own.* FROM source.extras AS own JOIN main.solves USING (series, run, point) "
-      "WHERE main.solves.rowid > {}",
-      row));
+  if (has_optional_table(sqlite, "extras"))
+    sqlite.exec(
+        fmt::format("INSERT OR IGNORE INTO main.extras SELECT own.* FROM source.extras AS own "
+                    "JOIN main.solves USING (series, run, point) WHERE main.solves.rowid > {}",
+                    row));
+  for (const char* const table : {"known_answers", "answer_counts"})
+    if (has_optional_table(sqlite, table))
+      sqlite.exec(fmt::format("INSERT OR IGNORE INTO main.{0} SELECT * FROM source.{0}", table));
   return added;
 }
 

@@ -55,6 +55,16 @@ constexpr const char* create_extras =
     "CREATE TABLE extras (series TEXT NOT NULL, run INTEGER NOT NULL, point INTEGER NOT NULL, name TEXT NOT NULL, "
     "value REAL, PRIMARY KEY (series, run, point, name)) STRICT, WITHOUT ROWID";
 
+// The tables of known answers. Only a store of a study with solvers that give several answers has these tables.
+constexpr const char* create_known_answers =
+    "CREATE TABLE known_answers (study TEXT NOT NULL, run INTEGER NOT NULL, point INTEGER NOT NULL, "
+    "restarts_key TEXT NOT NULL, known INTEGER NOT NULL, is_continuum INTEGER NOT NULL, restarts_rad TEXT NOT NULL, "
+    "PRIMARY KEY (study, run, point)) STRICT, WITHOUT ROWID";
+constexpr const char* create_answer_counts =
+    "CREATE TABLE answer_counts (study TEXT NOT NULL, series TEXT NOT NULL, run INTEGER NOT NULL, point INTEGER NOT NULL, "
+    "given INTEGER NOT NULL, found INTEGER NOT NULL, wrong INTEGER NOT NULL, doubled INTEGER NOT NULL, "
+    "PRIMARY KEY (study, series, run, point)) STRICT, WITHOUT ROWID";
+
 // Returns views for readers who query the file without ikbench.
 std::string create_views() {
   std::string columns = solve_columns();
@@ -74,8 +84,14 @@ std::string create_views() {
 
 // The tables, each with the columns that give its rows one order.
 constexpr std::pair<std::string_view, std::string_view> ordered_tables[] = {
-    {"studies", "position"},         {"series", "study, position"},    {"sessions", "id"},
-    {"environment", "session, key"}, {"solves", "series, run, point"}, {"extras", "series, run, point, name"}};
+    {"studies", "position"},
+    {"series", "study, position"},
+    {"sessions", "id"},
+    {"environment", "session, key"},
+    {"solves", "series, run, point"},
+    {"extras", "series, run, point, name"},
+    {"known_answers", "study, run, point"},
+    {"answer_counts", "study, series, run, point"}};
 
 // Returns the bytes of a number, the same on every machine.
 std::string bytes_of(std::uint64_t number) {
@@ -100,13 +116,13 @@ std::string bytes_of(const SQLite::Column& value) {
   }
 }
 
-// Returns the SQL text of all tables and views except extras, letter by letter.
+// Returns the SQL text of all tables and views that every store has, letter by letter.
 std::string schema_of(SQLite::Database& sqlite) {
   return sqlite
       .execAndGet(fmt::format(
           "SELECT group_concat(concat, char(10)) FROM (SELECT type || name || tbl_name || coalesce(sql, '') AS concat "
-          "FROM sqlite_master WHERE sql IS NOT '{}' ORDER BY name)",
-          create_extras))
+          "FROM sqlite_master WHERE coalesce(sql, '') NOT IN ('{}', '{}', '{}') ORDER BY name)",
+          create_extras, create_known_answers, create_answer_counts))
       .getString();
 }
 
@@ -515,6 +531,66 @@ std::vector<StoredStudy> Store::sweep(const std::string& name) const {
   std::erase_if(all, [&](const StoredStudy& study) { return study.definition.sweep.name != wanted; });
   if (wanted.empty()) all.clear();
   return all;
+}
+
+void Store::save_counted_answers(const std::string& study, const CountedAnswers& counted) {
+  database_->write([&] {
+    SQLite::Database& sqlite = database_->sqlite;
+    if (!sqlite.tableExists("known_answers")) sqlite.exec(create_known_answers);
+    if (!sqlite.tableExists("answer_counts")) sqlite.exec(create_answer_counts);
+    for (const char* const sql :
+         {"DELETE FROM known_answers WHERE study = ?", "DELETE FROM answer_counts WHERE study = ?"}) {
+      SQLite::Statement remove(sqlite, sql);
+      execute(remove, study);
+    }
+    SQLite::Statement add_target(sqlite, "INSERT INTO known_answers VALUES (?, ?, ?, ?, ?, ?, ?)");
+    for (const KnownAnswers& target : counted.targets)
+      execute(add_target, study, target.run, target.point, counted.restarts_key, target.known,
+              static_cast<int>(target.is_continuum), text_of_list(target.restarts_rad));
+    SQLite::Statement add_count(sqlite, "INSERT INTO answer_counts VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+    for (const AnswerCount& count : counted.counts)
+      execute(add_count, study, count.series, count.run, count.point, count.given, count.found, count.wrong,
+              count.doubled);
+  });
+}
+
+namespace {
+
+// Returns a number of answers, which no store of ours has larger.
+int number_of_answers(const SQLite::Column& column) {
+  constexpr std::int64_t max_answers = 10'000'000;
+  const std::int64_t number = column.getInt64();
+  if (number < 0 || number > max_answers) throw CorruptValue(fmt::format("{} is {}", column.getName(), number));
+  return static_cast<int>(number);
+}
+
+}  // namespace
+
+CountedAnswers Store::counted_answers(const std::string& study) const {
+  return guarded(database_->name, [&] {
+    CountedAnswers counted;
+    SQLite::Database& sqlite = database_->sqlite;
+    if (!sqlite.tableExists("known_answers") || !sqlite.tableExists("answer_counts")) return counted;
+    SQLite::Statement targets(sqlite, "SELECT * FROM known_answers WHERE study = ? ORDER BY run, point");
+    for (targets.bind(1, study); targets.executeStep();) {
+      counted.restarts_key = targets.getColumn("restarts_key").getString();
+      counted.targets.push_back({.run = number_of_answers(targets.getColumn("run")),
+                                 .point = number_of_answers(targets.getColumn("point")),
+                                 .known = number_of_answers(targets.getColumn("known")),
+                                 .is_continuum = targets.getColumn("is_continuum").getInt() != 0,
+                                 .restarts_rad = list_in_text(targets.getColumn("restarts_rad").getString())});
+    }
+    SQLite::Statement counts(sqlite, "SELECT * FROM answer_counts WHERE study = ? ORDER BY series, run, point");
+    for (counts.bind(1, study); counts.executeStep();)
+      counted.counts.push_back({.series = counts.getColumn("series").getString(),
+                                .run = number_of_answers(counts.getColumn("run")),
+                                .point = number_of_answers(counts.getColumn("point")),
+                                .given = number_of_answers(counts.getColumn("given")),
+                                .found = number_of_answers(counts.getColumn("found")),
+                                .wrong = number_of_answers(counts.getColumn("wrong")),
+                                .doubled = number_of_answers(counts.getColumn("doubled"))});
+    return counted;
+  });
 }
 
 std::int64_t Store::begin_session(const std::map<std::string, std::string>& environment) {

@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "results/counted_answers.hpp"
 #include "results/record.hpp"
 #include "results/study.hpp"
 
@@ -80,6 +81,11 @@ class Store {
   // Returns the studies of the sweep with this name, for "" of the sweep that the first study is in, in the order of
   // the sweep. Empty if there is no such sweep.
   std::vector<StoredStudy> sweep(const std::string& name) const;
+
+  // Writes the counts of a study's answers in place of earlier ones.
+  void save_counted_answers(const std::string& study, const CountedAnswers& counted);
+  // Returns the counts of a study's answers; empty if none were saved.
+  CountedAnswers counted_answers(const std::string& study) const;
 
   // Adds a session with these facts and returns its number.
   std::int64_t begin_session(const std::map<std::string, std::string>& environment);

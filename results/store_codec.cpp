@@ -124,6 +124,18 @@ std::string listed(Format&& format) {
 
 }  // namespace
 
+std::string text_of_list(const std::vector<double>& numbers) {
+  std::string text;
+  write_numbers(text, numbers);
+  return text;
+}
+
+std::vector<double> list_in_text(std::string_view text) {
+  std::vector<double> numbers;
+  read_numbers(text, numbers);
+  return numbers;
+}
+
 std::string solve_columns() {
   return listed([](std::string_view name, std::string_view) { return name; });
 }

@@ -25,6 +25,10 @@ constexpr std::int64_t store_version = 4;
 std::string solve_columns();
 std::string solve_declarations();
 
+// Returns a list of numbers as JSON, and the numbers of such a text. Throws CorruptValue for another text.
+std::string text_of_list(const std::vector<double>& numbers);
+std::vector<double> list_in_text(std::string_view text);
+
 // Adds solves to a store by one statement, which is prepared once.
 class SolveInsert {
  public:

@@ -115,25 +115,18 @@ double credible_seconds(const ProcessReport& report, double wall) {
   return std::isnan(reported) ? wall : std::max(reported, min_credible_seconds(report.cpu_seconds));
 }
 
-Configuration nearest_answer(const Candidates& answers, const Problem& problem, Objective& objective,
-                             const StopRule& stop) {
+Configuration nearest_answer(const Candidates& answers, const Problem& problem) {
   const JointLimits limits{problem.lower, problem.upper};
-  const bool has_direction = objective.goal().has_direction();
   Configuration nearest = answers.col(0);
   double nearest_distance = std::numeric_limits<double>::infinity();
-  int right = 0;
   for (const Configuration q : answers.colwise()) {
     if (!(limits.violation(q) <= 1e-9)) continue;
-    const Deviation error = objective.deviation(q);
-    if (error.position <= stop.tolerance && (!has_direction || error.angle <= stop.angle_tolerance)) ++right;
     const double distance = (q - problem.start).norm();
     if (distance < nearest_distance) {
       nearest = q;
       nearest_distance = distance;
     }
   }
-  objective.note("answers", static_cast<double>(answers.cols()));
-  if (stop.tolerance > 0) objective.note("answers_right", right);
   return nearest;
 }
 
@@ -354,8 +347,13 @@ Configuration ExternalSolver::answer_in(const Message& message, const Exchange& 
     exchange.objective.note(name, value);
   }
   const int joints = exchange.problem.joints();
-  if (message.has("answers"))
-    return nearest_answer(message.candidates(joints, "answers"), exchange.problem, exchange.objective, stop_);
+  if (message.has("answers")) {
+    const Candidates answers = message.candidates(joints, "answers");
+    const Eigen::Index kept = std::min(answers.cols(), max_kept_answers);
+    for (const Configuration q : answers.leftCols(kept).colwise())
+      report_.all_answers.insert(report_.all_answers.end(), q.begin(), q.end());
+    return nearest_answer(answers, exchange.problem);
+  }
   if (message.has("q") || exchange.best.q.size() == 0) return message.joints(joints);
   return exchange.best.q;
 }

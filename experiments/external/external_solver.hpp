@@ -33,7 +33,8 @@ struct ProcessReport {
   // reports none.
   results::CountedBy counted_by = results::CountedBy::none;
   std::int64_t evaluations = 0, iterations = 0;
-  std::vector<double> trace = {};  // [m], best error after each request to evaluate but the first
+  std::vector<double> all_answers = {};  // [rad, m], of the searched joints, if the program gives all of its answers
+  std::vector<double> trace = {};        // [m], best error after each request to evaluate but the first
   solvers::Improvements improved = {};
   double reported_error = std::numeric_limits<double>::quiet_NaN();    // [m], self-reported; NaN: none
   double reported_seconds = std::numeric_limits<double>::quiet_NaN();  // [s], self-reported; NaN: none
@@ -89,10 +90,11 @@ class ProcessPool {
   std::vector<WorkerProcess> idle_;
 };
 
-// Returns the answer inside the limits that is nearest to the start, or the first answer if none is inside. Notes the
-// number of answers, and how many of them are right. `answers` must have at least one column.
-robots::Configuration nearest_answer(const robots::Candidates& answers, const solvers::Problem& problem,
-                                     solvers::Objective& objective, const solvers::StopRule& stop);
+// Returns the answer inside the limits that is nearest to the start, or the first answer if none is inside. `answers`
+// must have at least one column.
+robots::Configuration nearest_answer(const robots::Candidates& answers, const solvers::Problem& problem);
+// The answers to one target that are kept in the store; further ones are lost.
+constexpr Eigen::Index max_kept_answers = 1000;
 
 // A program as a solver, which solvers::solve drives like any other; `start` is the whole exchange of messages. If the
 // program fails, the error is infinite.

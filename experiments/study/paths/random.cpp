@@ -17,7 +17,7 @@ using namespace robots;
 namespace {
 
 // The configurations whose poses are targets, as the field `set` explains.
-enum class Set { anywhere, near_limits, near_singular, edge, unreachable };
+enum class Set { anywhere, near_limits, near_singular, edge, unreachable, round };
 
 // The generator of the configurations: random numbers of ikbench, or those that NumPy gives for the seed.
 enum class Generator { ikbench, numpy };
@@ -39,6 +39,20 @@ Configuration drawn_near_limits(const Robot& arm, Random& random) {
     const double lower = arm.limits.lower[j], upper = arm.limits.upper[j], inside = margin * (upper - lower);
     if (!std::isfinite(inside)) continue;
     q[j] = random.uniform() < 0.5 ? random.uniform(lower, lower + inside) : random.uniform(upper - inside, upper);
+  }
+  return q;
+}
+
+// Draws each revolute joint from those of 0, 45, 90 and 180 degrees that are inside the limits, or anywhere within them
+// if none is.
+Configuration drawn_round(const Robot& arm, Random& random) {
+  Configuration q = drawn_within(range_of(arm), random);
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    std::vector<double> inside;
+    for (const double angle : {0.0, whole_turn / 8, whole_turn / 4, whole_turn / 2})
+      if (angle >= arm.limits.lower[j] && angle <= arm.limits.upper[j]) inside.push_back(angle);
+    if (arm.chain.slides(j) || inside.empty()) continue;
+    q[j] = inside[static_cast<std::size_t>(random.index(static_cast<int>(inside.size())))];
   }
   return q;
 }
@@ -106,6 +120,7 @@ Demand demand_of(Set set, const Robot& arm) {
     case Set::anywhere:
     case Set::near_limits:
     case Set::unreachable:
+    case Set::round:
       break;
   }
   return {};
@@ -121,9 +136,9 @@ class RandomTargets final : public TargetSet {
              {"each is the tool's pose at joint angles drawn uniformly within the limits from seed and run",
               InKey::in_text});
     io.choice(
-        "set", set_, {"anywhere", "near_limits", "near_singular", "edge", "unreachable"},
+        "set", set_, {"anywhere", "near_limits", "near_singular", "edge", "unreachable", "round"},
         "which of them. near_limits: each joint within 5 % of a limit; near_singular: Yoshikawa's manipulability "
-        "below its first percentile; edge: farther from the shoulder than 95 % of the largest distance of 1000 random configurations; unreachable: moved beyond the reach");
+        "below its first percentile; edge: farther from the shoulder than 95 % of the largest distance of 1000 random configurations; unreachable: moved beyond the reach; round: revolute joints at 0, 45, 90 or 180 deg, where closed forms meet special cases");
     io.choice(
         "generator", generator_, {"ikbench", "numpy"},
         "what draws them. numpy: NumPy's np.random.seed(seed), then np.random.uniform joint by joint, of one with room for more than a turn half a turn each way");
@@ -183,6 +198,8 @@ class RandomTargets final : public TargetSet {
     for (int i = 0; i < points_; ++i) {
       if (set_ == Set::near_limits)
         drawn.push_back(drawn_near_limits(arm, random));
+      else if (set_ == Set::round)
+        drawn.push_back(drawn_round(arm, random));
       else if (demand.score)
         drawn.push_back(drawn_to_meet(demand, arm, random));
       else

@@ -1,0 +1,315 @@
+#include "experiments/known_answers.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "base/csv.hpp"
+#include "base/number.hpp"
+#include "experiments/runner.hpp"
+#include "experiments/stored_checks.hpp"
+#include "experiments/study/series_key.hpp"
+#include "experiments/task.hpp"
+#include "experiments/verifier.hpp"
+#include "solvers/objective.hpp"
+
+namespace ikbench::experiments {
+
+using namespace results;
+using robots::whole_turn;
+
+namespace {
+
+constexpr double angle_apart = 1e-3, distance_apart = 1e-6;  // [rad], [m] between different answers
+constexpr double singular = 1e-4;                            // smallest singular value [m, rad] of a regular answer
+constexpr double rounding_of_limits = 1e-9;                  // [rad, m]
+
+// Returns how many freedoms the goal of a search fixes; 0 for a search that does not search all joints.
+int freedoms_of(Search search) {
+  switch (search) {
+    case Search::pose:
+      return 6;
+    case Search::axis:
+      return 5;
+    case Search::all_joints:
+      return 3;
+    case Search::wrist:
+    case Search::flange:
+      break;
+  }
+  return 0;
+}
+
+// Targets that are known, of a study that solves them again.
+class KnownTargets final : public TargetSet {
+ public:
+  explicit KnownTargets(std::vector<Pose> poses) : poses_(std::move(poses)) {}
+
+  std::string_view name() const override { return "poses"; }
+  std::string_view summary() const override { return ""; }
+  void list_fields(Fields&) override {}
+  int points() const override { return static_cast<int>(poses_.size()); }
+  std::vector<Pose> poses(const Robot&, Random&) const override { return poses_; }
+
+ private:
+  std::vector<Pose> poses_;
+};
+
+// Returns the entry whose restarts make known answers.
+SolverEntry restarting_entry() { return {.label = "restarts", .solver = "levenberg_marquardt"}; }
+
+// Returns the study that makes the restarts to these targets: a run for each start, drawn at random.
+Study restarts_study(const Study& study, std::vector<Pose> targets) {
+  Study restarts = study;
+  restarts.path = std::make_shared<KnownTargets>(std::move(targets));
+  restarts.solvers = {restarting_entry()};
+  restarts.runs = restarts_per_target;
+  restarts.rounds = 1;
+  restarts.start = Start::random;
+  restarts.wrap = WrapPolicy::no;
+  restarts.state = CacheState::first;
+  restarts.trace = solvers::Trace::none;
+  restarts.checker = nullptr;
+  restarts.check = {};
+  restarts.loop = {};
+  restarts.stop.seconds = 0;
+  restarts.stop.evaluations = 1000;
+  restarts.stop.iterations = 1000;
+  return restarts;
+}
+
+// Returns the rows of a list of answers [rad, m].
+std::vector<Configuration> rows_of(const std::vector<double>& list, Eigen::Index joints) {
+  std::vector<Configuration> rows;
+  for (std::size_t i = 0; i + static_cast<std::size_t>(joints) <= list.size(); i += static_cast<std::size_t>(joints))
+    rows.emplace_back(Eigen::Map<const Eigen::VectorXd>(list.data() + i, joints));
+  return rows;
+}
+
+// The answers that a solver gave to a target.
+struct SolverAnswers {
+  std::string series;
+  std::vector<Configuration> answers;
+};
+// A target with all that was answered.
+struct AnsweredTarget {
+  Pose pose;
+  std::vector<SolverAnswers> given = {};
+  std::vector<double> restarts_rad = {};
+};
+using Targets = std::map<std::pair<int, int>, AnsweredTarget>;  // by run and point
+
+// Reads the answers of a study's first targets. Without targets if no solver gave several answers.
+Targets targets_of(const StoredStudy& stored, const Store& store, Eigen::Index joints) {
+  Targets targets;
+  bool has_several = false;
+  store.for_each_in_study(stored, [&](const SolveRecord& solve) {
+    const bool is_known = targets.contains({solve.run, solve.point});
+    if (!is_known && targets.size() == max_counted_targets) return;
+    AnsweredTarget& target =
+        targets.try_emplace({solve.run, solve.point}, AnsweredTarget{target_of(solve)}).first->second;
+    SolverAnswers& given = target.given.emplace_back(SolverAnswers{.series = solve.series, .answers = {}});
+    has_several |= !solve.all_answers_rad.empty();
+    if (!solve.all_answers_rad.empty())
+      given.answers = rows_of(solve.all_answers_rad, joints);
+    else if (!arm_stays(solve.status))
+      given.answers = rows_of(solve.answer_rad, joints);
+  });
+  if (!has_several) targets.clear();
+  return targets;
+}
+
+// Makes the restarts of the targets that have none. Returns false if the request was cancelled.
+bool make_restarts(const Study& study, Targets& targets, int jobs, const std::atomic<bool>* cancelled) {
+  std::vector<Pose> poses;
+  std::vector<AnsweredTarget*> lacking;
+  for (auto& [place, target] : targets) {
+    if (!target.restarts_rad.empty()) continue;
+    poses.push_back(target.pose);
+    lacking.push_back(&target);
+  }
+  if (poses.empty()) return true;
+  solve_without_store(
+      restarts_study(study, poses), jobs,
+      [&](const SolveRecord& solve) {
+        if (solve.status != Status::ok && solve.status != Status::limit_violated) return;
+        std::vector<double>& list = lacking[static_cast<std::size_t>(solve.point - 1)]->restarts_rad;
+        list.insert(list.end(), solve.answer_rad.begin(), solve.answer_rad.end());
+      },
+      cancelled);
+  return cancelled == nullptr || !*cancelled;
+}
+
+// Counts the answers of a solver; `finder` has all known answers of the target.
+AnswerCount count_of(const SolverAnswers& given, AnswerFinder& finder) {
+  AnswerCount count{.series = given.series, .given = static_cast<int>(given.answers.size())};
+  std::vector<std::size_t> found;
+  for (const Configuration& answer : given.answers) {
+    const Configuration turned = finder.turned(answer);
+    if (!finder.is_true(turned)) {
+      ++count.wrong;
+      continue;
+    }
+    if (!finder.is_inside(turned)) continue;
+    const std::size_t index = finder.add(turned);
+    if (std::ranges::find(found, index) != found.end())
+      ++count.doubled;
+    else
+      found.push_back(index);
+  }
+  count.found = static_cast<int>(found.size());
+  return count;
+}
+
+}  // namespace
+
+std::string why_not_countable(const Study& study, const Robot& arm) {
+  const int freedoms = freedoms_of(study.search);
+  if (freedoms == 0) return fmt::format("search = \"{}\" does not search all joints", name_of(study.search));
+  if (arm.joints() > freedoms)
+    return fmt::format("{} joints for {} freedoms: infinitely many answers", arm.joints(), freedoms);
+  if (arm.joints() < freedoms)
+    return fmt::format("{} joints for {} freedoms: most targets have no answer", arm.joints(), freedoms);
+  if (!study.has_tolerance()) return "the study has no tolerance";
+  return "";
+}
+
+AnswerFinder::AnswerFinder(const Study& study, const Robot& arm, const Pose& target)
+    : study_(study), arm_(arm), target_(target) {}
+
+Configuration AnswerFinder::turned(Configuration answer) const {
+  for (Eigen::Index j = 0; j < answer.size(); ++j) {
+    const double lower = arm_.limits.lower[j], upper = arm_.limits.upper[j];
+    if (arm_.chain.slides(j) || robots::is_endless(lower, upper) || !std::isfinite(answer[j])) continue;
+    if (answer[j] < lower - rounding_of_limits)
+      answer[j] += whole_turn * std::ceil((lower - rounding_of_limits - answer[j]) / whole_turn);
+    if (answer[j] > upper + rounding_of_limits)
+      answer[j] -= whole_turn * std::ceil((answer[j] - upper - rounding_of_limits) / whole_turn);
+  }
+  return answer;
+}
+
+bool AnswerFinder::is_true(const Configuration& answer) const {
+  const Verification verified = verify(
+      arm_, {.target = target_, .start = answer, .answer = answer, .is_axis_free = study_.search == Search::axis});
+  constexpr double rounding = 1e-9;
+  return study_.stop.is_met(verified.position_error, verified.angle, rounding);
+}
+
+bool AnswerFinder::is_inside(const Configuration& answer) const {
+  return study_.limits == LimitPolicy::recorded || arm_.limits.violation(answer) <= rounding_of_limits;
+}
+
+Configuration AnswerFinder::polished(const Configuration& answer) {
+  constexpr int max_steps = 10;
+  const Task task(study_, arm_);
+  solvers::Objective objective(task.arm(), task.goal(target_));
+  Eigen::MatrixXd jacobian(objective.rows(), answer.size());
+  Configuration q = answer, best = answer;
+  double least = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < max_steps; ++step) {
+    const solvers::Linearized linearized = objective.linearize(q, jacobian);
+    if (!(linearized.error < least)) break;
+    least = linearized.error;
+    best = q;
+    if (step == 0 && objective.goal().has_direction()) {
+      Eigen::MatrixXd scaled = jacobian;
+      scaled.bottomRows(3) /= objective.goal().rotation_weight;
+      is_continuum_ |= scaled.jacobiSvd().singularValues()[answer.size() - 1] < singular;
+    } else if (step == 0) {
+      is_continuum_ |= jacobian.jacobiSvd().singularValues()[answer.size() - 1] < singular;
+    }
+    q += jacobian.colPivHouseholderQr().solve(linearized.to_go);
+  }
+  return best;
+}
+
+std::size_t AnswerFinder::add(const Configuration& answer) {
+  const Configuration exact = polished(answer);
+  const auto is_same = [&](const Configuration& known) {
+    for (Eigen::Index j = 0; j < exact.size(); ++j) {
+      const bool slides = arm_.chain.slides(j);
+      const double apart = slides ? exact[j] - known[j] : std::remainder(exact[j] - known[j], whole_turn);
+      if (std::abs(apart) > (slides ? distance_apart : angle_apart)) return false;
+    }
+    return true;
+  };
+  const auto known = std::ranges::find_if(known_, is_same);
+  const auto index = static_cast<std::size_t>(known - known_.begin());
+  if (known == known_.end()) known_.push_back(exact);
+  return index;
+}
+
+void count_answers(const Study& study, const StoredStudy& stored, Store& store, int jobs,
+                   const std::atomic<bool>* cancelled) {
+  const Robot arm = robot_of(study);
+  const auto may_give_several = [](const SolverEntry& entry) { return entry.program || entry.answers; };
+  if (std::ranges::none_of(study.solvers, may_give_several) || !why_not_countable(study, arm).empty()) return;
+  Targets targets = targets_of(stored, store, arm.joints());
+  if (targets.empty()) return;
+  CountedAnswers counted{.restarts_key = series_key(study, restarting_entry())};
+  CountedAnswers earlier = store.counted_answers(stored.name);
+  if (earlier.restarts_key == counted.restarts_key)
+    for (KnownAnswers& known : earlier.targets)
+      if (const auto target = targets.find({known.run, known.point}); target != targets.end())
+        target->second.restarts_rad = std::move(known.restarts_rad);
+  if (!make_restarts(study, targets, jobs, cancelled)) return;
+  for (const auto& [place, target] : targets) {
+    AnswerFinder finder(study, arm, target.pose);
+    for (const Configuration& answer : rows_of(target.restarts_rad, arm.joints())) {
+      const Configuration turned = finder.turned(answer);
+      if (finder.is_true(turned) && finder.is_inside(turned)) finder.add(turned);
+    }
+    for (const SolverAnswers& given : target.given) static_cast<void>(count_of(given, finder));  // all become known
+    for (const SolverAnswers& given : target.given) {
+      AnswerCount count = count_of(given, finder);
+      std::tie(count.run, count.point) = place;
+      counted.counts.push_back(std::move(count));
+    }
+    counted.targets.push_back({.run = place.first,
+                               .point = place.second,
+                               .known = finder.is_continuum() ? 0 : static_cast<int>(finder.known().size()),
+                               .is_continuum = finder.is_continuum(),
+                               .restarts_rad = target.restarts_rad});
+  }
+  store.save_counted_answers(stored.name, counted);
+}
+
+void write_answers(const Store& store, const StoredStudy& stored, const base::Write& write) {
+  const Study study = study_in_store(stored);
+  const Robot arm = robot_of(study);
+  std::string text = "run,point,label,number";
+  for (int j = 1; j <= arm.joints(); ++j) text += fmt::format(",q{}", j);
+  text += ",true\n";
+  store.for_each_in_study(stored, [&](const SolveRecord& solve) {
+    const bool is_single = solve.all_answers_rad.empty();
+    if (is_single && arm_stays(solve.status)) return;
+    const Pose target = target_of(solve);
+    const AnswerFinder finder(study, arm, target);
+    int number = 0;
+    for (const Configuration& answer : rows_of(is_single ? solve.answer_rad : solve.all_answers_rad, arm.joints())) {
+      text += fmt::format("{},{},", solve.run, solve.point);
+      base::append_csv_cell(text, solve.label);
+      text += fmt::format(",{}", ++number);
+      for (const double value : answer) {
+        text += ',';
+        base::append(text, value);
+      }
+      text += finder.is_true(answer) ? ",yes\n" : ",no\n";
+    }
+    constexpr std::size_t part = 1 << 20;  // bytes that are written at a time
+    if (text.size() < part) return;
+    write(text);
+    text.clear();
+  });
+  write(text);
+}
+
+}  // namespace ikbench::experiments

@@ -1,0 +1,57 @@
+// Counts all answers of a study: the known answers of each target, and how many of them each solver gave. `run` calls
+// count_answers once the solves are made. A target costs 100 solves by Levenberg and Marquardt's method, once.
+// Definitions: docs/explanation/methods.md#all-answers.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "base/files.hpp"
+#include "experiments/study/study.hpp"
+#include "results/store.hpp"
+
+namespace ikbench::experiments {
+
+constexpr int restarts_per_target = 100;
+constexpr int max_counted_targets = 2000;  // the first ones; further ones are not counted
+
+// Returns why the answers of a study cannot be counted, such as "7 joints for 6 freedoms: infinitely many answers";
+// empty if they can.
+std::string why_not_countable(const Study& study, const Robot& arm);
+
+// Finds the different true answers to a goal. The target, the arm and the study must outlive the finder.
+class AnswerFinder {
+ public:
+  AnswerFinder(const Study& study, const Robot& arm, const Pose& target);
+
+  // Returns the answer [rad, m] turned into the limits by whole turns where that is possible.
+  Configuration turned(Configuration answer) const;
+  bool is_true(const Configuration& answer) const;    // within the tolerance
+  bool is_inside(const Configuration& answer) const;  // the limits, if the study enforces them
+  // Adds a true answer inside the limits, unless it is known. Returns the index among the known answers.
+  std::size_t add(const Configuration& answer);
+  const std::vector<Configuration>& known() const { return known_; }
+  // Returns whether a known answer is singular, so that there is a continuum of answers.
+  bool is_continuum() const { return is_continuum_; }
+
+ private:
+  Configuration polished(const Configuration& answer);
+
+  const Study& study_;
+  const Robot& arm_;
+  const Pose& target_;
+  std::vector<Configuration> known_ = {};  // polished
+  bool is_continuum_ = false;
+};
+
+// Counts the answers of a study and saves the counts in the store. Does nothing if the study's answers cannot be
+// counted, or if no solver gave several answers to a target. Restarts that the store has are not made again.
+void count_answers(const Study& study, const results::StoredStudy& stored, results::Store& store, int jobs,
+                   const std::atomic<bool>* cancelled = nullptr);
+
+// Writes all answers of a stored study as CSV: run, point, label, number, q1 to qN [rad, m], and whether each answer is
+// within the tolerance. Throws std::invalid_argument if the stored arm cannot be read.
+void write_answers(const results::Store& store, const results::StoredStudy& stored, const base::Write& write);
+
+}  // namespace ikbench::experiments

@@ -1,0 +1,36 @@
+// What is known of all answers to a study's targets: the known answers of each target, and how many of them each solver
+// gave. `run` counts them once the solves are made, and reports read the counts. Definitions:
+// docs/explanation/methods.md#all-answers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ikbench::results {
+
+// The known answers of a target.
+struct KnownAnswers {
+  int run = 1, point = 1;
+  int known = 0;                          // different true answers inside the limits; 0 if there is a continuum
+  bool is_continuum = false;              // a known answer is singular, so that there are infinitely many
+  std::vector<double> restarts_rad = {};  // [rad, m], answers of the restarts, one after another
+};
+
+// The answers that a solver gave to a target.
+struct AnswerCount {
+  std::string series;  // key of the solver
+  int run = 1, point = 1;
+  int given = 0;    // all of them
+  int found = 0;    // known answers among them
+  int wrong = 0;    // farther from the target than the tolerance
+  int doubled = 0;  // true, but not different from an earlier one
+};
+
+// All counts of a study.
+struct CountedAnswers {
+  std::string restarts_key = {};  // key of the series that the restarts would have; of other restarts, counts are old
+  std::vector<KnownAnswers> targets = {};  // ordered by run and point
+  std::vector<AnswerCount> counts = {};    // ordered by series, run and point
+};
+
+}  // namespace ikbench::results
