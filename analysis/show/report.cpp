@@ -159,6 +159,7 @@ std::vector<Blocks> report_sections(const Report& report) {
     for (const std::string& sentence : requirement_sentences(report.model)) sections[0].emplace_back(sentence);
     if (is_of_study) sections[0].emplace_back(report.model.study_text);
     Table results = results_table(report.model);
+    if (!report.model.answers_text.empty()) results.notes.push_back(report.model.answers_text);
     results.notes.insert(results.notes.end(), warnings.begin(), warnings.end());
     warnings.clear();
     sections[0].emplace_back(std::move(results));

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "analysis/figures/rows.hpp"
+#include "analysis/judge/all_answers.hpp"
+#include "analysis/show/answers_table.hpp"
 #include "analysis/show/hard_targets.hpp"
 #include "analysis/show/phrases.hpp"
 #include "analysis/show/text.hpp"
@@ -262,7 +264,8 @@ ReportModel make_report_model(const JudgedStudy& judged) {
   model.study_text = study_sentences(judged.study);
   model.extra_tables = {{"Control loop", loop_table(judged.study, model.solvers())},
                         {"Imported results", imported_table(judged.study, model.solvers())},
-                        {"In batches", batches_table(judged.study)}};
+                        {"In batches", batches_table(judged.study)},
+                        {"All answers", answers_table(judged.study)}};
   model.targets = targets_table(judged.targets);
   model.hard_targets = hard_targets(judged.targets, model.solvers());
   model.noun = definition.compares_runs() ? "runs" : "targets";
@@ -274,6 +277,7 @@ ReportModel make_report_model(const JudgedStudy& judged) {
   }
   model.notes = study_notes(judged);
   model.rejections_text = rejections_text(judged.study);
+  model.answers_text = why_not_counted(judged.study);
   return model;
 }
 

@@ -25,6 +25,7 @@ struct ReportModel {
   std::vector<std::string> notes;            // below the table of results
   std::string study_text = {};               // what was solved, and what ended a solve; empty for a file
   std::string rejections_text = {};          // answers that the study's check refused; empty: none
+  std::string answers_text = {};             // why all answers are not counted; empty if they are, or are not given
   std::vector<judge::RequirementCheck> requirements = {};  // of the study, in their order
   std::vector<std::string> without_answer = {};            // solvers that gave no answer in any solve
   std::string verdict = {};                      // the answer of `compare`, in place of the headline; otherwise empty

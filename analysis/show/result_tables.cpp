@@ -573,6 +573,8 @@ base::OrderedJson to_json(const ReportModel& model) {
                          {"requirements", requirements_json(model)},
                          {"notes", notes}};
   if (model.hard_targets) json["hard_targets"] = hard_targets_json(*model.hard_targets);
+  for (const auto& [heading, table] : model.extra_tables)
+    if (table.name == "answers" && !table.rows.empty()) json["answers"] = to_json(table);
   if (!model.without_answer.empty()) json["without_answer"] = model.without_answer;
   return json;
 }

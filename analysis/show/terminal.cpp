@@ -111,6 +111,7 @@ std::string terminal_report(const ReportModel& model, const std::string& page) {
   text += shortener.table(std::move(table)) + more_solvers;
   if (!notes.empty()) text += wrapped_paragraph(shortener.text(notes), "");
   if (!model.rejections_text.empty()) text += wrapped_paragraph("! " + shortener.text(model.rejections_text), "  ");
+  if (!model.answers_text.empty()) text += wrapped_paragraph(model.answers_text, "");
   for (auto [heading, extra_table] : model.extra_tables) {
     if (extra_table.rows.empty()) continue;
     text += fmt::format("\n{}\n", extra_table.caption);

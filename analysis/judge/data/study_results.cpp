@@ -119,6 +119,7 @@ void add(const SolveRecord& record, SecondDifference& second_difference, StudyRe
   if (!record.trace_cm.empty() || (is_of_first_run && std::ssize(earlier) < max_plotted))
     study.plotted.push_back(record);
   add_extras(record, study);
+  study.has_several_answers |= !record.all_answers_rad.empty();
   const bool is_single = record.timing != Timing::batch;
   if (!is_single) add_batch(record, study);
   const bool is_timed = record.timing == Timing::clean || record.timing == Timing::process;
@@ -254,6 +255,7 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Solv
     if (also) also(record);
     add(record, second_difference, study);
   });
+  study.answers = store.counted_answers(entry.name);
   std::set<std::int64_t> used;
   for (const SolveSummary& solve : study.solves) used.insert(solve.session);
   study.sessions = store.sessions();

@@ -66,6 +66,8 @@ struct StudyResults : results::StoredStudy {
   std::map<std::string, std::map<std::string, int>> rejections;  // by solver and reason: answers that the check refused
   // By solver that was asked in batches: the sizes of the batches, and the time per pose [s].
   std::map<std::string, std::pair<std::set<int>, std::vector<double>>> batch_timings;
+  results::CountedAnswers answers = {};  // empty if the answers were not counted
+  bool has_several_answers = false;      // a solver gave all of its answers
   ImportedResults imported = {};
   Warning stale_solves = {.kind = WarningKind::stale_solves};  // solves of another version, which are ignored
 

@@ -1,0 +1,90 @@
+#include "analysis/judge/all_answers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "base/json.hpp"
+
+namespace ikbench::judge {
+
+using results::AnswerCount;
+using results::KnownAnswers;
+
+namespace {
+
+using Place = std::pair<int, int>;  // run and point
+
+// Adds the count of a target that counts.
+void add_target(AnswerSummary& summary, const AnswerCount& count, int known) {
+  const double share = static_cast<double>(count.found) / known;
+  summary.complete += count.found == known ? 1 : 0;
+  summary.coverage += share;
+  summary.lowest_coverage = std::min(summary.lowest_coverage, share);
+  summary.highest_coverage = std::max(summary.highest_coverage, share);
+  summary.mean_found += count.found;
+  summary.most_found = std::max(summary.most_found, count.found);
+  summary.fewest_found = std::min(summary.fewest_found, count.found);
+  summary.declined += count.given == 0 ? 1 : 0;
+}
+
+}  // namespace
+
+std::optional<AllAnswers> all_answers_of(const StudyResults& study) {
+  if (study.answers.targets.empty()) return std::nullopt;
+  AllAnswers all;
+  std::map<Place, int> known;  // of targets that count
+  for (const KnownAnswers& target : study.answers.targets) {
+    all.continua += target.is_continuum ? 1 : 0;
+    if (!target.is_continuum && target.known > 0) known[{target.run, target.point}] = target.known;
+  }
+  all.targets = static_cast<int>(known.size());
+  if (!known.empty()) {
+    const auto number = &std::pair<const Place, int>::second;
+    all.fewest_known = std::ranges::min_element(known, {}, number)->second;
+    all.most_known = std::ranges::max_element(known, {}, number)->second;
+  }
+  for (const auto& [place, number] : known) all.mean_known += static_cast<double>(number) / all.targets;
+  MetricSamples complete{
+      .metric = "complete", .quantity = "complete", .better = Better::larger, .kind = Proportions{}, .is_paired = true};
+  for (const results::Series& series : study.series) {
+    AnswerSummary summary{.solver = series.label, .fewest_found = all.most_known};
+    std::map<Place, double> is_complete;
+    for (const AnswerCount& count : study.answers.counts) {
+      if (count.series != series.key) continue;
+      summary.wrong += count.wrong;
+      summary.doubled += count.doubled;
+      if (count.found > 0) summary.wrong_beside_right += count.wrong;
+      const auto target = known.find({count.run, count.point});
+      if (target == known.end() || target->second < count.found) continue;
+      add_target(summary, count, target->second);
+      is_complete[target->first] = count.found == target->second ? 1 : 0;
+    }
+    if (is_complete.size() < known.size()) continue;  // solved by another version, or after the answers were counted
+    if (all.targets > 0) {
+      summary.coverage /= all.targets;
+      summary.mean_found /= all.targets;
+    }
+    Sample values;
+    for (const auto& [place, value] : is_complete) values.values.push_back(value);
+    complete.groups.push_back({.name = series.label, .sample = std::move(values)});
+    all.solvers.push_back(std::move(summary));
+  }
+  if (all.targets > 0 && !complete.groups.empty()) all.complete = judge(std::move(complete), study.definition.plan);
+  return all;
+}
+
+std::string why_not_counted(const StudyResults& study) {
+  if (!study.has_several_answers || !study.answers.targets.empty()) return "";
+  const auto arm = base::parsed_json(study.definition.arm);
+  const std::size_t joints = arm.contains("links") ? arm["links"].size() : 0;
+  const bool is_axis = study.definition.search == results::Search::axis;
+  std::size_t freedoms = is_axis ? 5 : 3;
+  if (study.definition.search == results::Search::pose) freedoms = 6;
+  if (joints <= freedoms) return "";
+  return fmt::format("All answers are not counted: {} joints for {} freedoms have infinitely many.", joints, freedoms);
+}
+
+}  // namespace ikbench::judge

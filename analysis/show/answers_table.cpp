@@ -1,0 +1,110 @@
+#include "analysis/show/answers_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "analysis/show/text.hpp"
+#include "base/names.hpp"
+
+namespace ikbench::show {
+
+using namespace judge;
+
+namespace {
+
+// Returns "EAIK and ssik gave all known answers to all 78 targets, ur-analytic-ik to 70."
+std::string caption_of(const AllAnswers& all) {
+  const std::string targets = base::counted(std::int64_t{all.targets}, "targets");
+  if (all.targets == 0)
+    return fmt::format("No target counts: each of the {} has a continuum of answers.",
+                       base::counted(std::int64_t{all.continua}, "targets"));
+  std::vector<std::string> complete, none, others;
+  for (const AnswerSummary& solver : all.solvers) {
+    if (solver.complete == all.targets)
+      complete.push_back(solver.solver);
+    else if (solver.complete == 0)
+      none.push_back(solver.solver);
+    else
+      others.push_back(fmt::format("{} to {}", solver.solver, solver.complete));
+  }
+  if (!none.empty() && none.size() < all.solvers.size()) others.push_back(names_of(none) + " to none");
+  const std::string rest = others.size() > max_named ? "" : listed(others);
+  if (!complete.empty())
+    return fmt::format("{} gave all known answers to all {}{}{}.", names_of(complete), targets,
+                       rest.empty() ? "" : "; ", rest);
+  return fmt::format("No solver gave all known answers to all {}{}{}.", targets, rest.empty() ? "" : ": ", rest);
+}
+
+// Returns the mark of a solver whose share of complete targets is shown to be smaller than that of the best one.
+std::string mark_of(const JudgedMetric& complete, const std::string& best, const std::string& solver) {
+  const Comparison* const pair = find_comparison(complete, best, solver);
+  if (pair == nullptr) return "";
+  const Verdict wanted = pair->first == best ? Verdict::better : Verdict::worse;
+  return verdict_of(*pair) == wanted ? "*" : "";
+}
+
+Cell complete_cell(const AllAnswers& all, const std::string& best, std::size_t solver) {
+  const Descriptives& shares = all.complete->descriptives[solver];
+  const Interval share =
+      wilson_interval({.share = shares.mean, .n = static_cast<double>(shares.n)}, all.complete->plan.significance);
+  return ValueCell{.value = 100 * shares.mean,
+                   .mark = mark_of(*all.complete, best, all.solvers[solver].solver),
+                   .interval = Interval{100 * share.low, 100 * share.high}};
+}
+
+// Returns the notes of the table: what is counted, and what is wrong.
+std::vector<std::string> notes_of(const AllAnswers& all, const std::string& best) {
+  std::vector<std::string> notes;
+  if (all.targets > 0)
+    notes.push_back(fmt::format(
+        "A target has {} known answers ({} to {}): different ones inside the limits that any solver of this study, or 100 "
+        "restarts of LM, found.",
+        number_text(all.mean_known), all.fewest_known, all.most_known));
+  if (all.continua > 0)
+    notes.push_back(fmt::format("{} not counted, because their answers form a continuum.",
+                                base::counted(std::int64_t{all.continua}, "targets are")));
+  if (!best.empty())
+    notes.push_back(
+        fmt::format("* worse than {} (p < {}{}). Brackets: {:.3g} % intervals; after coverage and answers, the range.",
+                    best, number_text(all.complete->plan.significance), all.solvers.size() > 2 ? ", corrected" : "",
+                    100 * (1 - all.complete->plan.significance)));
+  for (const AnswerSummary& solver : all.solvers)
+    if (solver.wrong_beside_right > 0)
+      notes.push_back(fmt::format("{} gave {} beside right ones.", solver.solver,
+                                  base::counted(std::int64_t{solver.wrong_beside_right}, "wrong answers")));
+  return notes;
+}
+
+}  // namespace
+
+Table answers_table(const StudyResults& study) {
+  Table table{.name = "answers",
+              .caption = "All answers",
+              .columns = named_columns(
+                  {"solver", "complete", "coverage", "answers per target", "wrong", "doubled", "declined"})};
+  const std::optional<AllAnswers> all = all_answers_of(study);
+  if (!all) return table;
+  table.caption = caption_of(*all);
+  std::string best;
+  if (all->complete) best = std::ranges::max_element(all->solvers, {}, &AnswerSummary::complete)->solver;
+  const auto is_marked = [&](const AnswerSummary& solver) {
+    return !best.empty() && !mark_of(*all->complete, best, solver.solver).empty();
+  };
+  table.columns[1].unit = table.columns[2].unit = "%";
+  for (std::size_t i = 0; i < all->solvers.size() && all->complete; ++i) {
+    const AnswerSummary& solver = all->solvers[i];
+    table.rows.push_back({solver.solver, complete_cell(*all, best, i),
+                          ValueCell{.value = 100 * solver.coverage,
+                                    .interval = Interval{100 * solver.lowest_coverage, 100 * solver.highest_coverage}},
+                          ValueCell{.value = solver.mean_found,
+                                    .interval = Interval{static_cast<double>(solver.fewest_found),
+                                                         static_cast<double>(solver.most_found)}},
+                          std::int64_t{solver.wrong}, std::int64_t{solver.doubled}, std::int64_t{solver.declined}});
+  }
+  table.notes = notes_of(*all, std::ranges::any_of(all->solvers, is_marked) ? best : "");
+  return table;
+}
+
+}  // namespace ikbench::show
