@@ -22,7 +22,8 @@ def axes_of(robot):
 
 
 def tool_beyond(robot, its_forward):
-    """What is between the tool of a library's own arm, by its kinematics, and the robot's; None if that is not one frame."""
+    """What is between the tool of a library's own arm, by its kinematics, and the robot's; None if that is not one frame.
+    Lengths may be rounded to 1e-6 m, which is a tenth of the tolerance of a study."""
     tried = np.random.default_rng(1).uniform(-1, 1, (3, len(robot.joints)))
     tools = [np.linalg.inv(its_forward(q)) @ frames(robot, q)[-1] for q in tried]
-    return tools[0] if max(np.abs(each - tools[0]).max() for each in tools) < 1e-9 else None
+    return tools[0] if max(np.abs(each - tools[0]).max() for each in tools) < 1e-6 else None

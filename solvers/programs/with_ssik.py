@@ -2,8 +2,9 @@
 # dependencies = ["ssik[urdf]==8.2.0"]
 # ///
 """ssik: closed forms and eliminations, with its compiled backend: its prebuilt arm where one has, up to the tool, the same
-kinematics, preferably one with the same limits, else one derived from the URDF file. The answer that is nearest to the start;
-where the prebuilt arm has other limits, the nearest inside those of the study of all that it finds."""
+kinematics, preferably one with the same limits, else one derived from the URDF file. Of six joints it gives all answers. Of
+seven, which have infinitely many, it gives the one nearest to the start; if the prebuilt arm has other limits, the nearest
+inside those of the study of all that ssik finds."""
 import ssik
 
 import ikbench
@@ -37,6 +38,8 @@ def prepare(robot):
 
 def solve(prepared, problem):
     arm, tool, has_limits = prepared
+    if len(problem.start) == 6:
+        return [each.q for each in arm.solve(np.array(problem.matrix) @ tool, respect_limits=False)] or None
     how = {"max_solutions": 1} if has_limits else {"respect_limits": False}
     found = arm.solve(np.array(problem.matrix) @ tool, q_seed=problem.start, **how)
     return next((each.q for each in found if has_limits or problem.inside(each.q)), None)
