@@ -99,22 +99,22 @@ struct SolverAnswers {
   std::vector<Configuration> answers;
 };
 // A target with all that was answered.
-struct AnsweredTarget {
+struct CountedTarget {
   Pose pose;
   std::vector<SolverAnswers> given = {};
   std::vector<double> restarts_rad = {};
 };
-using Targets = std::map<std::pair<int, int>, AnsweredTarget>;  // by run and point
+using CountedTargets = std::map<std::pair<int, int>, CountedTarget>;  // by run and point
 
 // Reads the answers of a study's first targets. Without targets if no solver gave several answers.
-Targets targets_of(const StoredStudy& stored, const Store& store, Eigen::Index joints) {
-  Targets targets;
+CountedTargets targets_of(const StoredStudy& stored, const Store& store, Eigen::Index joints) {
+  CountedTargets targets;
   bool has_several = false;
   store.for_each_in_study(stored, [&](const SolveRecord& solve) {
     const bool is_known = targets.contains({solve.run, solve.point});
     if (!is_known && targets.size() == max_counted_targets) return;
-    AnsweredTarget& target =
-        targets.try_emplace({solve.run, solve.point}, AnsweredTarget{target_of(solve)}).first->second;
+    CountedTarget& target =
+        targets.try_emplace({solve.run, solve.point}, CountedTarget{target_of(solve)}).first->second;
     SolverAnswers& given = target.given.emplace_back(SolverAnswers{.series = solve.series, .answers = {}});
     has_several |= !solve.all_answers_rad.empty();
     if (!solve.all_answers_rad.empty())
@@ -127,9 +127,9 @@ Targets targets_of(const StoredStudy& stored, const Store& store, Eigen::Index j
 }
 
 // Makes the restarts of the targets that have none. Returns false if the request was cancelled.
-bool make_restarts(const Study& study, Targets& targets, int jobs, const std::atomic<bool>* cancelled) {
+bool make_restarts(const Study& study, CountedTargets& targets, int jobs, const std::atomic<bool>* cancelled) {
   std::vector<Pose> poses;
-  std::vector<AnsweredTarget*> lacking;
+  std::vector<CountedTarget*> lacking;
   for (auto& [place, target] : targets) {
     if (!target.restarts_rad.empty()) continue;
     poses.push_back(target.pose);
@@ -252,7 +252,7 @@ void count_answers(const Study& study, const StoredStudy& stored, Store& store, 
   const Robot arm = robot_of(study);
   const auto may_give_several = [](const SolverEntry& entry) { return entry.program || entry.answers; };
   if (std::ranges::none_of(study.solvers, may_give_several) || !why_not_countable(study, arm).empty()) return;
-  Targets targets = targets_of(stored, store, arm.joints());
+  CountedTargets targets = targets_of(stored, store, arm.joints());
   if (targets.empty()) return;
   CountedAnswers counted{.restarts_key = series_key(study, restarting_entry())};
   CountedAnswers earlier = store.counted_answers(stored.name);
