@@ -512,6 +512,20 @@ RankRows rank_rows(const MetricSamples& samples, const RankedPairs& pairs, const
 
 }  // namespace
 
+namespace {
+
+// Returns " Friedman's test of all: p = 0.002." for these solvers; empty if there is no such test.
+std::string friedman_text(MetricSamples samples, const std::vector<std::string>& solvers) {
+  std::erase_if(samples.groups, [&](const Group& group) { return std::ranges::count(solvers, group.name) == 0; });
+  const std::vector<OmnibusTest> tests = friedman(samples);
+  if (tests.empty()) return "";
+  const double p = tests.back().p;
+  return fmt::format(" Friedman's test of all {}: p {}.", samples.groups.size(),
+                     p < 0.0001 ? "< 0.0001" : fmt::format("= {:.2g}", p));
+}
+
+}  // namespace
+
 std::optional<Figure> ranks_of(const JudgedMetric& judged, const std::vector<std::string>& shown, const Look& look) {
   const JudgedMetric metric = on_common_blocks(judged);
   const MetricSamples& samples = metric.samples;
@@ -535,6 +549,7 @@ std::optional<Figure> ranks_of(const JudgedMetric& judged, const std::vector<std
     about.caption += fmt::format(
         " CD: Nemenyi's critical difference, {:.3g} (p < 0.05), only for orientation: bars do not depend on it.",
         ruler);
+  about.caption += have_all_blocks ? friedman_text(samples, solvers) : "";
   if (!without.empty())
     about.caption += fmt::format(" Left out, because not compared with all: {}.", names_of(without));
   return ranks(about, rows, ruler);

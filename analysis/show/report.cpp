@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "analysis/show/hard_targets.hpp"
+#include "analysis/judge/statistics/omnibus.hpp"
 #include "analysis/show/headline.hpp"
 #include "analysis/show/phrases.hpp"
 #include "analysis/show/requirements.hpp"
@@ -184,11 +185,14 @@ std::vector<Blocks> report_sections(const Report& report) {
     Table numbers = descriptives_table(report.model), solves = solves_table(report), all = omnibus_table(report.model);
     numbers.visible_rows = solves.visible_rows = 0;
     add("All numbers", {std::move(numbers), std::move(solves), extras_table(report)});
-    const auto is_first = [&](const auto& row) {
-      return std::get<std::string>(row[0]) == report.model.primary().samples.quantity;
+    const bool are_ranks = report.model.primary().plan.test == results::AnalysisPlan::Test::ranks;
+    const auto is_shown = [&](const auto& row) {
+      const std::string& test = std::get<std::string>(row[1]);
+      const bool is_of_ranks = test == friedman_name || test == iman_davenport_name;
+      return std::get<std::string>(row[0]) == report.model.primary().samples.quantity && is_of_ranks == are_ranks;
     };
-    all.visible_rows = static_cast<std::size_t>(std::ranges::count_if(all.rows, is_first));
-    if (report.model.primary().plan.test == results::AnalysisPlan::Test::means) add("Omnibus tests", {std::move(all)});
+    all.visible_rows = static_cast<std::size_t>(std::ranges::count_if(all.rows, is_shown));
+    if (!are_ranks || all.visible_rows > 0) add("Omnibus tests", {std::move(all)});
   }
   warnings.insert(warnings.end(), report.extra_warnings.begin(), report.extra_warnings.end());
   add("Warnings", {warnings.begin(), warnings.end()});

@@ -533,7 +533,11 @@ Table omnibus_table(const ReportModel& model) {
   table.columns[7].role = ColumnRole::p;
   NamesByPhrase left_out;
   for (const JudgedMetric& judged : model.metrics) {
-    const auto [tests, without] = omnibus_tests(judged.samples);
+    auto [tests, without] = omnibus_tests(judged.samples);
+    if (judged.plan.test == results::AnalysisPlan::Test::ranks) {
+      const std::vector<OmnibusTest> of_ranks = friedman(judged.samples);
+      tests.insert(tests.begin(), of_ranks.begin(), of_ranks.end());
+    }
     const std::string& quantity = judged.samples.quantity;
     const auto known = [](double value) { return std::isnan(value) ? Cell() : Cell(value); };
     const auto degrees = [](double df) { return df == std::round(df) ? Cell(std::llround(df)) : Cell(df); };
@@ -543,6 +547,7 @@ Table omnibus_table(const ReportModel& model) {
       table.rows.push_back({quantity, std::string(test.name), "between", known(test.ss_between), degrees(test.df),
                             known(test.ss_between / test.df), test.statistic, test.p, is_of_blocks ? Cell() : eta,
                             is_of_blocks ? eta : Cell(), known(test.epsilon)});
+      if (std::isnan(test.df_within)) continue;  // Friedman's test
       table.rows.push_back({quantity, std::string(test.name), is_of_blocks ? "error (solver x block)" : "within",
                             known(test.ss_within), degrees(test.df_within), known(test.ss_within / test.df_within),
                             Cell(), Cell(), Cell(), Cell(), Cell()});

@@ -66,6 +66,28 @@ TEST_CASE("critical differences of mean ranks are those of Demsar's tables", "[d
   CHECK(std::isnan(critical_difference(21, 9)));
 }
 
+TEST_CASE("Friedman's test has the numbers of R", "[describe]") {
+  // Hollander and Wolfe's rounding times, friedman.test of R: 11.1429, df 2, p 0.003805.
+  MetricSamples rounding = samples_of({{5.40, 5.85, 5.20, 5.55, 5.90, 5.45, 5.40, 5.45, 5.25, 5.85, 5.25,
+                                        5.65, 5.60, 5.05, 5.50, 5.45, 5.55, 5.45, 5.50, 5.65, 5.70, 6.30},
+                                       {5.50, 5.70, 5.60, 5.50, 5.85, 5.55, 5.40, 5.50, 5.15, 5.80, 5.20,
+                                        5.55, 5.35, 5.00, 5.50, 5.55, 5.55, 5.50, 5.45, 5.60, 5.65, 6.30},
+                                       {5.55, 5.75, 5.50, 5.40, 5.70, 5.60, 5.35, 5.35, 5.00, 5.70, 5.10,
+                                        5.45, 5.45, 4.95, 5.40, 5.50, 5.35, 5.55, 5.25, 5.40, 5.55, 6.25}});
+  CHECK(friedman(rounding).empty());  // not paired
+  rounding.is_paired = true;
+  const std::vector<OmnibusTest> tests = friedman(rounding);
+  REQUIRE(tests.size() == 2);
+  CHECK(tests[0].df == 2);
+  CHECK(tests[1].df_within == 42);
+  CHECK(tests[1].statistic == Approx(21 * tests[0].statistic / (22 * 2 - tests[0].statistic)));
+  CHECK(friedman(rounding).front().statistic == Approx(11.142857).epsilon(1e-6));
+  CHECK(friedman(rounding).front().p == Approx(0.003805).epsilon(1e-3));
+  MetricSamples equal = samples_of({{1, 2}, {1, 2}, {1, 2}});
+  equal.is_paired = true;
+  CHECK(friedman(equal).empty());
+}
+
 TEST_CASE("a summary has no more than its three numbers", "[describe]") {
   const Descriptives of = describe({.name = "a", .sample = SummaryStatistics{20, 0.5, 0.1}});
   CHECK(of.n == 20);

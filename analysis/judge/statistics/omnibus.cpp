@@ -1,6 +1,7 @@
 #include "analysis/judge/statistics/omnibus.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <iterator>
@@ -136,6 +137,43 @@ std::vector<OmnibusTest> anova_of_groups(const std::vector<SummaryStatistics>& g
 std::vector<OmnibusTest> anova(const MetricSamples& samples) {
   if (samples.groups.size() < 2 || !std::ranges::all_of(samples.groups, has_chance)) return {};
   return samples.is_paired ? anova_of_blocks(samples.groups) : anova_of_groups(summaries_of(samples.groups));
+}
+
+std::vector<OmnibusTest> friedman(const MetricSamples& samples) {
+  std::vector<Group> groups = samples.groups;
+  const auto has_values = [](const Group& group) { return sample_of(group) && !values_of(group).empty(); };
+  if (!samples.is_paired || is_log_scale(samples) || groups.size() < 3 || !std::ranges::all_of(groups, has_values))
+    return {};
+  std::vector<Group*> pointers;
+  for (Group& group : groups) pointers.push_back(&group);
+  keep_common_blocks(pointers);
+  const std::size_t groups_count = groups.size(), blocks_count = values_of(groups.front()).size();
+  const auto k = static_cast<double>(groups_count), n = static_cast<double>(blocks_count);
+  if (blocks_count < 2) return {};
+  std::vector<double> rank_sums(groups_count);
+  double ties = 0;  // the sum of t^3 - t over all ties of t values
+  for (std::size_t block = 0; block < blocks_count; ++block) {
+    for (std::size_t g = 0; g < groups_count; ++g) {
+      const double value = values_of(groups[g])[block];
+      double smaller = 0, equal = 0;
+      for (const Group& other : groups) {
+        smaller += values_of(other)[block] < value ? 1 : 0;
+        equal += values_of(other)[block] == value ? 1 : 0;
+      }
+      rank_sums[g] += smaller + (equal + 1) / 2;
+      ties += equal * equal - 1;  // each of t equal values adds its share of t^3 - t
+    }
+  }
+  double squares = 0;
+  for (const double sum : rank_sums) squares += (sum - n * (k + 1) / 2) * (sum - n * (k + 1) / 2);
+  const double spread = n * k * (k + 1) - ties / (k - 1);
+  if (!(spread > 1e-9)) return {};
+  OmnibusTest test{.name = friedman_name, .statistic = 12 * squares / spread, .df = k - 1};
+  test.p = boost::math::cdf(boost::math::complement(boost::math::chi_squared(test.df), test.statistic));
+  OmnibusTest iman_davenport{.name = iman_davenport_name, .df = k - 1, .df_within = (k - 1) * (n - 1)};
+  iman_davenport.statistic = (n - 1) * test.statistic / (n * (k - 1) - test.statistic);
+  if (!(iman_davenport.statistic >= 0) || std::isinf(iman_davenport.statistic)) return {test};  // all blocks agree
+  return {test, with_p(iman_davenport)};
 }
 
 double critical_difference(std::size_t groups, std::size_t blocks) {

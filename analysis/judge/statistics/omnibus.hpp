@@ -12,11 +12,12 @@
 
 namespace ikbench::judge {
 
-// An F test of all groups. Tests that do not assume equal spreads leave the sums of squares unknown (NaN).
+// A test of all groups. Tests that do not assume equal spreads, and tests of ranks, leave the sums of squares unknown
+// (NaN).
 struct OmnibusTest {
   std::string_view name;
-  double statistic = unknown;  // F
-  double df = unknown, df_within = unknown;
+  double statistic = unknown;                // F; of Friedman's test chi-squared
+  double df = unknown, df_within = unknown;  // Friedman's test has no degrees of freedom within
   double p = unknown;
   double ss_between = unknown;
   double ss_within = unknown;  // with blocks: error, group x block
@@ -33,6 +34,13 @@ struct OmnibusTest {
 // (Psychometrika 24 (1959) 95). Empty for fewer than two groups, copies, missing or infinite values, or if no group has
 // a spread.
 std::vector<OmnibusTest> anova(const MetricSamples& samples);
+constexpr std::string_view friedman_name = "Friedman's test", iman_davenport_name = "Iman-Davenport";
+// Returns Friedman's test of the ranks in the blocks that all groups have, corrected for ties (Friedman, J. Am. Stat.
+// Assoc. 32 (1937) 675), and the F of Iman and Davenport (Comm. Statist. A9 (1980) 571), which Demsar (J. Machine
+// Learning Research 7 (2006) 1) puts first. Of proportions with one trial it is Cochran's Q. Empty for costs per
+// success, unpaired samples, fewer than three groups or two blocks, missing values, or if all values of each block are
+// equal.
+std::vector<OmnibusTest> friedman(const MetricSamples& samples);
 // Returns Nemenyi's critical difference of mean ranks at 0.05 (Demsar, J. Machine Learning Research 7 (2006) 1). NaN
 // for fewer than 2 and for more than 20 groups.
 double critical_difference(std::size_t groups, std::size_t blocks);
