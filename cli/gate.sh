@@ -60,6 +60,7 @@ printf '%s\n' "$text"
 [[ $required =~ ^[034]$ ]] || ended failed $required
 [[ -z ${GITHUB_STEP_SUMMARY:-} || -z $text ]] || printf '```\n%s\n```\n' "$text" >>"$GITHUB_STEP_SUMMARY"
 rm -f -- "$out/verdict.md"  # of an earlier call
+[[ -z $text ]] || printf '%s\n' "$text" >"$out/verdict.md"  # in place of which a comparison writes its own
 # Code 3 also stands for a program that gave no answer in any solve, which the data name.
 is_without_answer() { grep -q '"without_answer"' < <("${judge[@]}" --json 2>/dev/null); }
 end_by_requirements() {

@@ -20,12 +20,12 @@ namespace ikbench::cli {
 namespace {
 
 // Returns the figures of a sweep over a single key whose values are all numbers; otherwise none.
-std::vector<figures::Figure> figures_of(const StudiesToReport& studies, const std::vector<judge::JudgedStudy>& judged,
-                                        const figures::Look& look) {
+std::vector<figures::Figure> figures_of(const StudiesToReport& studies, const std::vector<show::StudyColumn>& columns,
+                                        const std::vector<judge::JudgedStudy>& judged, const figures::Look& look) {
   if (studies.keys.size() != 1) return {};
   std::vector<figures::SweptValue> values;
   for (std::size_t i = 0; i < judged.size(); ++i) {
-    const std::optional<double> value = base::number_from(studies.studies[i].name);
+    const std::optional<double> value = base::number_from(columns[i].name);
     if (!value || !std::isfinite(*value)) return {};
     values.push_back({*value, &judged[i]});
   }
@@ -62,6 +62,11 @@ int report_studies(const StudiesToReport& studies, const std::filesystem::path& 
   int code = 0;
   for (const auto& [store, study, name] : studies.studies) {
     refuse_wrong_requirements(arguments, study.definition, labels_of(study));
+    const bool is_last = &name == &studies.studies.back().name;
+    if (store.solve_count(study) == 0 && !(is_last && judged.empty())) {  // if none has solves, the last one says why
+      warn(fmt::format("{} has no solves yet; the same run again continues", study.name));
+      continue;
+    }
     judge::StudyResults results = read_checked(store, study);
     if (print_never_answering(results, arguments.is_json)) code = 3;
     judged.push_back(judge_with_requirements(std::move(results), study, arguments));
@@ -74,7 +79,7 @@ int report_studies(const StudiesToReport& studies, const std::filesystem::path& 
       fmt::print("{}\n", wrapped(printable(sentence)));
   if (!has_report) return code;
   const figures::Look look = figures::look_of(judged.front(), style);
-  report.figures = figures_of(studies, judged, look);
+  report.figures = figures_of(studies, report.columns, judged, look);
   const show::WrittenReport written =
       write_with_progress(arguments, look.style, [&](const figures::RenderOptions& options) {
         return show::write_report(report, folder, options, program_name());

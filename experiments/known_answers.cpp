@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <tuple>
 #include <utility>
 
 #include "base/csv.hpp"
@@ -28,7 +27,7 @@ using robots::whole_turn;
 namespace {
 
 constexpr double angle_apart = 1e-3, distance_apart = 1e-6;  // [rad], [m] between different answers
-constexpr double singular = 1e-4;                            // smallest singular value [m, rad] of a regular answer
+constexpr double min_singular_value = 1e-4;                  // smallest singular value [m, rad] of a regular answer
 constexpr double rounding_of_limits = 1e-9;                  // [rad, m]
 
 // Returns how many freedoms the goal of a search fixes; 0 for a search that does not search all joints.
@@ -93,9 +92,10 @@ std::vector<Configuration> rows_of(const std::vector<double>& list, Eigen::Index
   return rows;
 }
 
-// The answers that a solver gave to a target.
+// The answers of one solve.
 struct SolverAnswers {
   std::string series;
+  int run = 1;
   std::vector<Configuration> answers;
 };
 // A target with all that was answered.
@@ -104,18 +104,23 @@ struct CountedTarget {
   std::vector<SolverAnswers> given = {};
   std::vector<double> restarts_rad = {};
 };
-using CountedTargets = std::map<std::pair<int, int>, CountedTarget>;  // by run and point
+using CountedTargets = std::map<std::pair<int, int>, CountedTarget>;  // by run (1 if all runs have it) and point
 
-// Reads the answers of a study's first targets. Without targets if no solver gave several answers.
-CountedTargets targets_of(const StoredStudy& stored, const Store& store, Eigen::Index joints) {
+// Returns the place of a solve's target among the study's targets, from 0.
+int index_of_target(const Study& study, int run, int point) {
+  return study.path->is_random() ? (run - 1) * study.path->points() + point - 1 : point - 1;
+}
+
+// Reads the answers to a study's first targets. Without targets if no solver gave several answers.
+CountedTargets targets_of(const Study& study, const StoredStudy& stored, const Store& store, Eigen::Index joints) {
   CountedTargets targets;
   bool has_several = false;
   store.for_each_in_study(stored, [&](const SolveRecord& solve) {
-    const bool is_known = targets.contains({solve.run, solve.point});
-    if (!is_known && targets.size() == max_counted_targets) return;
-    CountedTarget& target =
-        targets.try_emplace({solve.run, solve.point}, CountedTarget{target_of(solve)}).first->second;
-    SolverAnswers& given = target.given.emplace_back(SolverAnswers{.series = solve.series, .answers = {}});
+    if (index_of_target(study, solve.run, solve.point) >= max_counted_targets) return;
+    const std::pair place(study.path->is_random() ? solve.run : 1, solve.point);
+    CountedTarget& target = targets.try_emplace(place, CountedTarget{target_of(solve)}).first->second;
+    SolverAnswers& given =
+        target.given.emplace_back(SolverAnswers{.series = solve.series, .run = solve.run, .answers = {}});
     has_several |= !solve.all_answers_rad.empty();
     if (!solve.all_answers_rad.empty())
       given.answers = rows_of(solve.all_answers_rad, joints);
@@ -126,22 +131,31 @@ CountedTargets targets_of(const StoredStudy& stored, const Store& store, Eigen::
   return targets;
 }
 
-// Makes the restarts of the targets that have none. Returns false if the request was cancelled.
+// Makes the restarts of all targets if any target has none. They are made for all of the study's first targets, so that
+// the starts do not depend on which solves are there. Returns false if the request was cancelled.
 bool make_restarts(const Study& study, CountedTargets& targets, int jobs, const std::atomic<bool>* cancelled) {
+  const auto has_none = [](const auto& target) { return target.second.restarts_rad.empty(); };
+  if (std::ranges::none_of(targets, has_none)) return true;
+  const Robot arm = robot_of(study);
   std::vector<Pose> poses;
-  std::vector<CountedTarget*> lacking;
-  for (auto& [place, target] : targets) {
-    if (!target.restarts_rad.empty()) continue;
-    poses.push_back(target.pose);
-    lacking.push_back(&target);
+  std::vector<CountedTarget*> by_index;  // null: not among the targets
+  const int runs = study.path->is_random() ? study.runs : 1;
+  for (int run = 1; run <= runs && std::ssize(poses) < max_counted_targets; ++run) {
+    int point = 0;
+    for (const Pose& pose : targets_of_run(study, arm, run)) {
+      if (std::ssize(poses) == max_counted_targets) break;
+      poses.push_back(pose);
+      const auto target = targets.find({run, ++point});
+      by_index.push_back(target == targets.end() ? nullptr : &target->second);
+      if (by_index.back() != nullptr) by_index.back()->restarts_rad.clear();
+    }
   }
-  if (poses.empty()) return true;
   solve_without_store(
       restarts_study(study, poses), jobs,
       [&](const SolveRecord& solve) {
-        if (solve.status != Status::ok && solve.status != Status::limit_violated) return;
-        std::vector<double>& list = lacking[static_cast<std::size_t>(solve.point - 1)]->restarts_rad;
-        list.insert(list.end(), solve.answer_rad.begin(), solve.answer_rad.end());
+        CountedTarget* const target = by_index[static_cast<std::size_t>(solve.point - 1)];
+        if (target == nullptr || (solve.status != Status::ok && solve.status != Status::limit_violated)) return;
+        target->restarts_rad.insert(target->restarts_rad.end(), solve.answer_rad.begin(), solve.answer_rad.end());
       },
       cancelled);
   return cancelled == nullptr || !*cancelled;
@@ -149,7 +163,7 @@ bool make_restarts(const Study& study, CountedTargets& targets, int jobs, const 
 
 // Counts the answers of a solver; `finder` has all known answers of the target.
 AnswerCount count_of(const SolverAnswers& given, AnswerFinder& finder) {
-  AnswerCount count{.series = given.series, .given = static_cast<int>(given.answers.size())};
+  AnswerCount count{.series = given.series, .run = given.run, .given = static_cast<int>(given.answers.size())};
   std::vector<std::size_t> found;
   for (const Configuration& answer : given.answers) {
     const Configuration turned = finder.turned(answer);
@@ -182,7 +196,7 @@ std::string why_not_countable(const Study& study, const Robot& arm) {
 }
 
 AnswerFinder::AnswerFinder(const Study& study, const Robot& arm, const Pose& target)
-    : study_(study), arm_(arm), target_(target) {}
+    : study_(study), arm_(arm), target_(target), task_(study, arm) {}
 
 Configuration AnswerFinder::turned(Configuration answer) const {
   for (Eigen::Index j = 0; j < answer.size(); ++j) {
@@ -197,6 +211,7 @@ Configuration AnswerFinder::turned(Configuration answer) const {
 }
 
 bool AnswerFinder::is_true(const Configuration& answer) const {
+  if (!answer.allFinite()) return false;
   const Verification verified = verify(
       arm_, {.target = target_, .start = answer, .answer = answer, .is_axis_free = study_.search == Search::axis});
   constexpr double rounding = 1e-9;
@@ -207,31 +222,34 @@ bool AnswerFinder::is_inside(const Configuration& answer) const {
   return study_.limits == LimitPolicy::recorded || arm_.limits.violation(answer) <= rounding_of_limits;
 }
 
-Configuration AnswerFinder::polished(const Configuration& answer) {
-  constexpr int max_steps = 10;
-  const Task task(study_, arm_);
-  solvers::Objective objective(task.arm(), task.goal(target_));
+Configuration AnswerFinder::polished(const Configuration& answer) const {
+  constexpr int max_steps = 30;
+  constexpr double smallest_share = 1e-6;
+  solvers::Objective objective(task_.arm(), task_.goal(target_));
   Eigen::MatrixXd jacobian(objective.rows(), answer.size());
-  Configuration q = answer, best = answer;
-  double least = std::numeric_limits<double>::infinity();
+  Configuration best = answer;
   for (int step = 0; step < max_steps; ++step) {
-    const solvers::Linearized linearized = objective.linearize(q, jacobian);
-    if (!(linearized.error < least)) break;
-    least = linearized.error;
-    best = q;
-    if (step == 0 && objective.goal().has_direction()) {
-      Eigen::MatrixXd scaled = jacobian;
-      scaled.bottomRows(3) /= objective.goal().rotation_weight;
-      is_continuum_ |= scaled.jacobiSvd().singularValues()[answer.size() - 1] < singular;
-    } else if (step == 0) {
-      is_continuum_ |= jacobian.jacobiSvd().singularValues()[answer.size() - 1] < singular;
-    }
-    q += jacobian.colPivHouseholderQr().solve(linearized.to_go);
+    const solvers::Linearized linearized = objective.linearize(best, jacobian);
+    const Configuration newton = jacobian.colPivHouseholderQr().solve(linearized.to_go);
+    double share = 1;  // a whole step overshoots near a singular answer
+    while (share > smallest_share && !(objective.error(best + share * newton) < linearized.error)) share /= 2;
+    if (share <= smallest_share) break;
+    best += share * newton;
   }
   return best;
 }
 
+bool AnswerFinder::is_singular(const Configuration& exact) const {
+  solvers::Objective objective(task_.arm(), task_.goal(target_));
+  Eigen::MatrixXd jacobian(objective.rows(), exact.size());
+  objective.linearize(exact, jacobian);
+  if (objective.goal().has_direction()) jacobian.bottomRows(3) /= objective.goal().rotation_weight;
+  return jacobian.jacobiSvd().singularValues()[exact.size() - 1] < min_singular_value;
+}
+
 std::size_t AnswerFinder::add(const Configuration& answer) {
+  constexpr std::size_t most_of_continuum = 200;
+  if (is_continuum_ && known_.size() >= most_of_continuum) return known_.size() + beyond_++;
   const Configuration exact = polished(answer);
   const auto is_same = [&](const Configuration& known) {
     for (Eigen::Index j = 0; j < exact.size(); ++j) {
@@ -243,7 +261,10 @@ std::size_t AnswerFinder::add(const Configuration& answer) {
   };
   const auto known = std::ranges::find_if(known_, is_same);
   const auto index = static_cast<std::size_t>(known - known_.begin());
-  if (known == known_.end()) known_.push_back(exact);
+  if (known == known_.end()) {
+    known_.push_back(exact);
+    is_continuum_ = is_continuum_ || is_singular(exact);
+  }
   return index;
 }
 
@@ -251,17 +272,22 @@ void count_answers(const Study& study, const StoredStudy& stored, Store& store, 
                    const std::atomic<bool>* cancelled) {
   const Robot arm = robot_of(study);
   const auto may_give_several = [](const SolverEntry& entry) { return entry.program || entry.answers; };
-  if (std::ranges::none_of(study.solvers, may_give_several) || !why_not_countable(study, arm).empty()) return;
-  CountedTargets targets = targets_of(stored, store, arm.joints());
-  if (targets.empty()) return;
-  CountedAnswers counted{.restarts_key = series_key(study, restarting_entry())};
   CountedAnswers earlier = store.counted_answers(stored.name);
+  CountedTargets targets;
+  if (std::ranges::any_of(study.solvers, may_give_several) && why_not_countable(study, arm).empty())
+    targets = targets_of(study, stored, store, arm.joints());
+  if (targets.empty()) {
+    if (!earlier.targets.empty()) store.save_counted_answers(stored.name, {});  // of solvers that are gone
+    return;
+  }
+  CountedAnswers counted{.restarts_key = series_key(study, restarting_entry())};
   if (earlier.restarts_key == counted.restarts_key)
     for (KnownAnswers& known : earlier.targets)
       if (const auto target = targets.find({known.run, known.point}); target != targets.end())
         target->second.restarts_rad = std::move(known.restarts_rad);
   if (!make_restarts(study, targets, jobs, cancelled)) return;
   for (const auto& [place, target] : targets) {
+    if (cancelled != nullptr && *cancelled) return;
     AnswerFinder finder(study, arm, target.pose);
     for (const Configuration& answer : rows_of(target.restarts_rad, arm.joints())) {
       const Configuration turned = finder.turned(answer);
@@ -269,9 +295,8 @@ void count_answers(const Study& study, const StoredStudy& stored, Store& store, 
     }
     for (const SolverAnswers& given : target.given) static_cast<void>(count_of(given, finder));  // all become known
     for (const SolverAnswers& given : target.given) {
-      AnswerCount count = count_of(given, finder);
-      std::tie(count.run, count.point) = place;
-      counted.counts.push_back(std::move(count));
+      counted.counts.push_back(count_of(given, finder));
+      counted.counts.back().point = place.second;
     }
     counted.targets.push_back({.run = place.first,
                                .point = place.second,
@@ -283,12 +308,14 @@ void count_answers(const Study& study, const StoredStudy& stored, Store& store, 
 }
 
 void write_answers(const Store& store, const StoredStudy& stored, const base::Write& write) {
+  const SolveVisitor check = stored_solve_check(stored);
   const Study study = study_in_store(stored);
   const Robot arm = robot_of(study);
   std::string text = "run,point,label,number";
   for (int j = 1; j <= arm.joints(); ++j) text += fmt::format(",q{}", j);
   text += ",true\n";
   store.for_each_in_study(stored, [&](const SolveRecord& solve) {
+    check(solve);
     const bool is_single = solve.all_answers_rad.empty();
     if (is_single && arm_stays(solve.status)) return;
     const Pose target = target_of(solve);

@@ -9,6 +9,7 @@
 
 #include "base/files.hpp"
 #include "experiments/study/study.hpp"
+#include "experiments/task.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::experiments {
@@ -32,17 +33,22 @@ class AnswerFinder {
   // Adds a true answer inside the limits, unless it is known. Returns the index among the known answers.
   std::size_t add(const Configuration& answer);
   const std::vector<Configuration>& known() const { return known_; }
-  // Returns whether a known answer is singular, so that there is a continuum of answers.
+  // Returns whether a known answer is singular. There may then be a continuum of answers, or several that coincide.
   bool is_continuum() const { return is_continuum_; }
 
  private:
-  Configuration polished(const Configuration& answer);
+  // Returns the answer after Newton's steps, whose error is about 1e-15 m.
+  Configuration polished(const Configuration& answer) const;
+  // Returns whether the Jacobian at a polished answer has a singular value [m, rad] below 1e-4.
+  bool is_singular(const Configuration& exact) const;
 
   const Study& study_;
   const Robot& arm_;
   const Pose& target_;
+  const Task task_;
   std::vector<Configuration> known_ = {};  // polished
   bool is_continuum_ = false;
+  std::size_t beyond_ = 0;  // answers of a continuum that were not kept
 };
 
 // Counts the answers of a study and saves the counts in the store. Does nothing if the study's answers cannot be

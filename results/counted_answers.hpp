@@ -1,4 +1,4 @@
-// What is known of all answers to a study's targets: the known answers of each target, and how many of them each solver
+// The counts of all answers to a study's targets: the known answers of each target, and how many of them each solver
 // gave. `run` counts them once the solves are made, and reports read the counts. Definitions:
 // docs/explanation/methods.md#all-answers.
 #pragma once
@@ -10,9 +10,9 @@ namespace ikbench::results {
 
 // The known answers of a target.
 struct KnownAnswers {
-  int run = 1, point = 1;
+  int run = 1, point = 1;                 // run 1 if all runs have the same targets
   int known = 0;                          // different true answers inside the limits; 0 if there is a continuum
-  bool is_continuum = false;              // a known answer is singular, so that there are infinitely many
+  bool is_continuum = false;              // a known answer is singular: there may be infinitely many
   std::vector<double> restarts_rad = {};  // [rad, m], answers of the restarts, one after another
 };
 

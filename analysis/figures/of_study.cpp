@@ -519,7 +519,7 @@ std::string friedman_text(MetricSamples samples, const std::vector<std::string>&
   std::erase_if(samples.groups, [&](const Group& group) { return std::ranges::count(solvers, group.name) == 0; });
   const std::vector<OmnibusTest> tests = friedman(samples);
   if (tests.empty()) return "";
-  const double p = tests.back().p;
+  const double p = tests.front().p;
   return fmt::format(" Friedman's test of all {}: p {}.", samples.groups.size(),
                      p < 0.0001 ? "< 0.0001" : fmt::format("= {:.2g}", p));
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/json.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::judge {
 
@@ -17,10 +18,25 @@ namespace {
 
 using Place = std::pair<int, int>;  // run and point
 
+// Returns how many freedoms the goal of a search fixes; 0 for a search that is not for all joints.
+std::size_t goal_freedoms(results::Search search) {
+  switch (search) {
+    case results::Search::pose:
+      return 6;
+    case results::Search::axis:
+      return 5;
+    case results::Search::all_joints:
+      return 3;
+    case results::Search::wrist:
+    case results::Search::flange:
+      break;
+  }
+  return 0;
+}
+
 // Adds the count of a target that counts.
 void add_target(AnswerSummary& summary, const AnswerCount& count, int known) {
   const double share = static_cast<double>(count.found) / known;
-  summary.complete += count.found == known ? 1 : 0;
   summary.coverage += share;
   summary.lowest_coverage = std::min(summary.lowest_coverage, share);
   summary.highest_coverage = std::max(summary.highest_coverage, share);
@@ -51,40 +67,54 @@ std::optional<AllAnswers> all_answers_of(const StudyResults& study) {
       .metric = "complete", .quantity = "complete", .better = Better::larger, .kind = Proportions{}, .is_paired = true};
   for (const results::Series& series : study.series) {
     AnswerSummary summary{.solver = series.label, .fewest_found = all.most_known};
-    std::map<Place, double> is_complete;
+    std::map<Place, std::pair<double, int>> is_complete;  // sum over the runs, and their number
+    int solves = 0;
     for (const AnswerCount& count : study.answers.counts) {
       if (count.series != series.key) continue;
       summary.wrong += count.wrong;
       summary.doubled += count.doubled;
       if (count.found > 0) summary.wrong_beside_right += count.wrong;
-      const auto target = known.find({count.run, count.point});
+      const auto target = known.find({study.definition.draws_targets ? count.run : 1, count.point});
       if (target == known.end() || target->second < count.found) continue;
       add_target(summary, count, target->second);
-      is_complete[target->first] = count.found == target->second ? 1 : 0;
+      auto& [sum, runs] = is_complete[target->first];
+      sum += count.found == target->second ? 1 : 0;
+      ++runs;
+      ++solves;
     }
     if (is_complete.size() < known.size()) continue;  // solved by another version, or after the answers were counted
-    if (all.targets > 0) {
-      summary.coverage /= all.targets;
-      summary.mean_found /= all.targets;
+    if (solves > 0) {
+      summary.coverage /= solves;
+      summary.mean_found /= solves;
     }
     Sample values;
-    for (const auto& [place, value] : is_complete) values.values.push_back(value);
+    for (const auto& [place, runs] : is_complete) {
+      values.values.push_back(runs.first / runs.second);
+      summary.complete += runs.first == runs.second ? 1 : 0;  // in all runs
+    }
     complete.groups.push_back({.name = series.label, .sample = std::move(values)});
     all.solvers.push_back(std::move(summary));
   }
+  if (!study.definition.draws_targets && study.definition.runs > 1)
+    complete.kind = Proportions{.trials_per_value = study.definition.runs};
   if (all.targets > 0 && !complete.groups.empty()) all.complete = judge(std::move(complete), study.definition.plan);
   return all;
 }
 
 std::string why_not_counted(const StudyResults& study) {
-  if (!study.has_several_answers || !study.answers.targets.empty()) return "";
+  if (!study.has_several_answers) return "";
+  const std::vector<KnownAnswers>& targets = study.answers.targets;
+  if (!targets.empty() && std::ranges::all_of(targets, &KnownAnswers::is_continuum))
+    return fmt::format("All answers are not counted: each of the {} has a singular answer.",
+                       base::counted(std::ssize(targets), "targets"));
+  if (!targets.empty()) return "";
   const auto arm = base::parsed_json(study.definition.arm);
   const std::size_t joints = arm.contains("links") ? arm["links"].size() : 0;
-  const bool is_axis = study.definition.search == results::Search::axis;
-  std::size_t freedoms = is_axis ? 5 : 3;
-  if (study.definition.search == results::Search::pose) freedoms = 6;
-  if (joints <= freedoms) return "";
-  return fmt::format("All answers are not counted: {} joints for {} freedoms have infinitely many.", joints, freedoms);
+  const std::size_t freedoms = goal_freedoms(study.definition.search);
+  if (freedoms == 0) return "All answers are not counted: the search is not for all joints.";
+  if (joints == freedoms) return "";
+  return fmt::format("All answers are not counted: {} joints for {} freedoms have {}.", joints, freedoms,
+                     joints > freedoms ? "infinitely many" : "no answer to most targets");
 }
 
 }  // namespace ikbench::judge

@@ -21,14 +21,14 @@ struct AnswerSummary {
   double mean_found = 0;  // known answers per target
   int fewest_found = 0, most_found = 0;
   int declined = 0;  // targets without any answer
-  // Counted over all targets, also over those with a continuum of answers.
+  // Counted over all targets, also over those with a singular answer.
   int wrong = 0, doubled = 0;
   int wrong_beside_right = 0;  // wrong answers to targets that also got a right one
 };
 
 // All answers of a study.
 struct AllAnswers {
-  int targets = 0, continua = 0;  // targets that count, and targets that have a continuum of answers
+  int targets = 0, continua = 0;  // targets that count, and targets with a singular answer
   double mean_known = 0;          // known answers per target that counts
   int fewest_known = 0, most_known = 0;
   std::vector<AnswerSummary> solvers = {};    // in the order of the study

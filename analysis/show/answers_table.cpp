@@ -18,7 +18,7 @@ namespace {
 std::string caption_of(const AllAnswers& all) {
   const std::string targets = base::counted(std::int64_t{all.targets}, "targets");
   if (all.targets == 0)
-    return fmt::format("No target counts: each of the {} has a continuum of answers.",
+    return fmt::format("No target counts: each of the {} has a singular answer.",
                        base::counted(std::int64_t{all.continua}, "targets"));
   std::vector<std::string> complete, none, others;
   for (const AnswerSummary& solver : all.solvers) {
@@ -55,16 +55,18 @@ Cell complete_cell(const AllAnswers& all, const std::string& best, std::size_t s
 }
 
 // Returns the notes of the table: what is counted, and what is wrong.
-std::vector<std::string> notes_of(const AllAnswers& all, const std::string& best) {
+std::vector<std::string> notes_of(const AllAnswers& all, const std::string& best, bool is_limited) {
   std::vector<std::string> notes;
   if (all.targets > 0)
     notes.push_back(fmt::format(
-        "A target has {} known answers ({} to {}): different ones inside the limits that any solver of this study, or 100 "
-        "restarts of LM, found.",
-        number_text(all.mean_known), all.fewest_known, all.most_known));
+        "A target has {} known answers on average ({} to {}): different ones{} that any solver of this study, or 100 "
+        "restarts of LM, found. Wrong and doubled: of answers to all {}, other columns: of the {} that count.",
+        number_text(all.mean_known), all.fewest_known, all.most_known, is_limited ? " inside the limits" : "",
+        base::counted(std::int64_t{all.targets} + all.continua, "targets"), all.targets));
   if (all.continua > 0)
-    notes.push_back(fmt::format("{} not counted, because their answers form a continuum.",
-                                base::counted(std::int64_t{all.continua}, "targets are")));
+    notes.push_back(fmt::format(
+        "{} {} not counted, because a known answer is singular: there may be infinitely many, or several that coincide.",
+        base::counted(std::int64_t{all.continua}, "targets"), all.continua == 1 ? "is" : "are"));
   if (!best.empty())
     notes.push_back(
         fmt::format("* worse than {} (p < {}{}). Brackets: {:.3g} % intervals; after coverage and answers, the range.",
@@ -103,7 +105,8 @@ Table answers_table(const StudyResults& study) {
                                                          static_cast<double>(solver.most_found)}},
                           std::int64_t{solver.wrong}, std::int64_t{solver.doubled}, std::int64_t{solver.declined}});
   }
-  table.notes = notes_of(*all, std::ranges::any_of(all->solvers, is_marked) ? best : "");
+  const bool is_limited = study.definition.limits == results::LimitPolicy::enforced;
+  table.notes = notes_of(*all, std::ranges::any_of(all->solvers, is_marked) ? best : "", is_limited);
   return table;
 }
 

@@ -179,6 +179,7 @@ WrittenReport publish(Publication publication, const fs::path& folder, const fig
       files.push_back("article/" + file);
   files.insert(files.end(), own_files.begin(), own_files.end() - 1);
   std::vector<std::string> earlier = reserve_files(folder, files);
+  const bool had_solves = std::ranges::count(earlier, own_files[3]) > 0;
   std::erase_if(earlier, [](const std::string& file) { return !may_be_of_report(file); });
   for (const std::string& file : earlier) base::refuse_input(folder / file);
   written.warnings = figures::write_figures(figures, folder / "figures", options);
@@ -189,7 +190,8 @@ WrittenReport publish(Publication publication, const fs::path& folder, const fig
   std::erase_if(files, [&](const fs::path& file) {
     return file.parent_path() == "figures" && !fs::is_regular_file(folder / file);
   });
-  const bool has_solves = report != nullptr && !report->study.series.empty();
+  // Of several studies no solves are written, but those of an earlier report of one study stay.
+  const bool has_solves = report != nullptr ? !report->study.series.empty() : had_solves;
   if (has_solves && fs::is_regular_file(folder / own_files[3])) files.emplace_back(own_files[3]);
   std::ranges::sort(files);
   remove_earlier(folder, earlier, files);

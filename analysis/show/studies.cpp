@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "analysis/show/headline.hpp"
@@ -26,25 +27,31 @@ namespace {
 constexpr std::size_t max_interval_columns = 4;  // wider tables leave the intervals out
 constexpr std::size_t max_reversed_pairs = 3;    // named in a headline
 constexpr std::size_t max_warnings = 5;          // on a screen
+constexpr std::size_t max_counted = 6;           // solvers in a headline about many studies
 
 using Names = std::vector<std::string>;
 
-// The difference that the first metric of a study decides.
+// The differences that the first metric of a study decides.
 struct Outcome {
-  bool is_nothing_solved = false, is_tested = false;
+  bool is_nothing_solved = false, is_tested = false, has_control = false;
   std::string metric, reference;
-  Names losers = {};  // solvers that are worse than the reference, in the order of the table
+  std::string why_not_tested = {};  // if all pairs have the same reason
+  Names losers = {}, winners = {};  // solvers that are worse or better than the reference, in the order of the table
 
-  // Returns whether another study decides the same, whatever the order of its losers.
+  bool has_difference() const { return !losers.empty() || !winners.empty(); }
+  // Returns whether another study decides the same, whatever the order of its solvers.
   bool is_like(const Outcome& other) const {
     return is_nothing_solved == other.is_nothing_solved && is_tested == other.is_tested && metric == other.metric &&
-           reference == other.reference && std::ranges::is_permutation(losers, other.losers);
+           reference == other.reference && why_not_tested == other.why_not_tested &&
+           std::ranges::is_permutation(losers, other.losers) && std::ranges::is_permutation(winners, other.winners);
   }
 };
 
 Outcome outcome_of(const ReportModel& model) {
   const JudgedMetric& primary = model.primary();
-  Outcome outcome{.metric = primary.samples.quantity, .reference = reference_of(model)};
+  Outcome outcome{.has_control = !primary.plan.control.empty(),
+                  .metric = primary.samples.quantity,
+                  .reference = reference_of(model)};
   const auto is_unsolved = [&](const JudgedMetric& judged) {
     return judged.samples.quantity_kind == QuantityKind::solved &&
            std::ranges::all_of(judged.descriptives, [](const Descriptives& shares) { return shares.mean == 0; });
@@ -53,8 +60,15 @@ Outcome outcome_of(const ReportModel& model) {
   const PairIndex pairs(primary, model.solvers());
   for (const std::string& solver : model.solvers()) {
     outcome.is_tested |= pairs.tested_pairs(solver) > 0;
-    if (solver != outcome.reference && pairs.is_better(outcome.reference, solver)) outcome.losers.push_back(solver);
+    if (solver == outcome.reference) continue;
+    if (pairs.is_better(outcome.reference, solver)) outcome.losers.push_back(solver);
+    if (pairs.is_better(solver, outcome.reference)) outcome.winners.push_back(solver);
   }
+  std::set<std::string> reasons;
+  for (const Comparison& comparison : primary.comparisons)
+    if (const auto* const not_tested = std::get_if<NotTested>(&comparison.result))
+      reasons.insert(reason_in_metric(*not_tested, primary, observation_noun(model, primary)));
+  if (!outcome.is_tested && reasons.size() == 1) outcome.why_not_tested = *reasons.begin();
   return outcome;
 }
 
@@ -90,19 +104,33 @@ std::string with_number(const ReportModel& model, const std::string& solver) {
   return fmt::format("{} ({}{})", solver, shown.is_bound ? "at most " : "", with_unit(number, primary.samples.unit));
 }
 
+// Returns "mine (71 %) is worse", with numbers of `only` if that is not null.
+std::string verdict_clause(Names solvers, const ReportModel* only, std::string_view verdict) {
+  if (only != nullptr)
+    for (std::string& solver : solvers) solver = with_number(*only, solver);
+  return fmt::format("{} {} {}", names_of(solvers), solvers.size() == 1 ? "is" : "are", verdict);
+}
+
 // Returns the clause of an outcome. `only` is the study of the outcome, whose numbers are named; null if there are
 // several such studies.
 std::string clause(const Outcome& outcome, const ReportModel* only, bool names_metric) {
-  if (outcome.losers.empty() && outcome.is_nothing_solved) return "no solver reached any target";
-  if (outcome.losers.empty()) return outcome.is_tested ? "no difference is shown" : "no pair is tested";
-  const bool has_numbers = only != nullptr && outcome.losers.size() < max_named;
-  Names losers = outcome.losers;
-  if (has_numbers)
-    for (std::string& loser : losers) loser = with_number(*only, loser);
-  const std::string reference = has_numbers ? with_number(*only, outcome.reference) : outcome.reference;
-  return fmt::format("{}{} {} worse than {}{}", outcome.is_nothing_solved ? "no solver reached any target, and " : "",
-                     names_of(losers), losers.size() == 1 ? "is" : "are", reference,
-                     names_metric ? " in " + outcome.metric : "");
+  const std::string metric = names_metric ? " in " + outcome.metric : "";
+  if (!outcome.has_difference()) {
+    if (outcome.is_nothing_solved) return "no solver reached any target";
+    if (outcome.is_tested) return fmt::format("no difference{} is shown", metric);
+    if (only != nullptr && only->order.size() == 1)
+      return with_number(*only, outcome.reference) + " is the only solver";
+    return fmt::format("no pair is tested{}",
+                       outcome.why_not_tested.empty() ? "" : fmt::format(" ({})", outcome.why_not_tested));
+  }
+  const ReportModel* const with_numbers = outcome.losers.size() + outcome.winners.size() < max_named ? only : nullptr;
+  const std::string reference = (outcome.has_control ? "the control " : "") +
+                                (with_numbers ? with_number(*only, outcome.reference) : outcome.reference);
+  Names verdicts;
+  if (!outcome.winners.empty()) verdicts.push_back(verdict_clause(outcome.winners, with_numbers, "better"));
+  if (!outcome.losers.empty()) verdicts.push_back(verdict_clause(outcome.losers, with_numbers, "worse"));
+  return fmt::format("{}{} than {}{}", outcome.is_nothing_solved ? "no solver reached any target, and " : "",
+                     fmt::join(verdicts, " and "), reference, metric);
 }
 
 // The studies of an outcome.
@@ -112,39 +140,81 @@ struct OutcomeGroup {
   const ReportModel* model = nullptr;  // of the first study
 };
 
-// Returns the outcomes with their studies: outcomes with a difference first.
+// Returns the outcomes with their studies: of values of a key in their order, otherwise outcomes with a difference
+// first.
 std::vector<OutcomeGroup> outcome_groups(const StudiesReport& report) {
   std::vector<OutcomeGroup> groups;
   for (const StudyColumn& column : report.columns) {
     Outcome outcome = outcome_of(column.model);
-    if (outcome.losers.empty()) outcome.reference.clear();  // says nothing then
+    if (!outcome.has_difference() && column.model.order.size() > 1) outcome.reference.clear();  // says nothing then
     auto group =
         std::ranges::find_if(groups, [&](const OutcomeGroup& known) { return known.outcome.is_like(outcome); });
     if (group == groups.end())
       group = groups.insert(group, OutcomeGroup{.outcome = std::move(outcome), .model = &column.model});
     group->names.push_back(column.name);
   }
-  std::ranges::stable_partition(groups, [](const OutcomeGroup& group) { return !group.outcome.losers.empty(); });
+  if (place_words(report).key.empty())
+    std::ranges::stable_partition(groups, [](const OutcomeGroup& group) { return group.outcome.has_difference(); });
   return groups;
+}
+
+// Returns how often each solver is better or worse, for many studies: "IK-BA is worse than some other solver on 27 of
+// the 28 arms, DE on 24".
+std::string counts_text(const StudiesReport& report) {
+  std::map<std::pair<std::string, std::string>, Names> studies;  // by verdict with its reference, and by solver
+  for (const StudyColumn& column : report.columns) {
+    const JudgedMetric& primary = column.model.primary();
+    const std::string& control = primary.plan.control;
+    const std::set<std::string> beaten = beaten_solvers(primary.comparisons);
+    const PairIndex pairs(primary, column.model.solvers());
+    for (const std::string& solver : column.model.solvers()) {
+      const bool is_worse = control.empty() ? beaten.contains(solver) : pairs.is_better(control, solver);
+      if (is_worse)
+        studies[{control.empty() ? "worse than some other solver" : "worse than the control " + control, solver}]
+            .push_back(column.name);
+      if (!control.empty() && pairs.is_better(solver, control))
+        studies[{"better than the control " + control, solver}].push_back(column.name);
+    }
+  }
+  if (studies.empty()) return "";
+  std::map<std::string, std::vector<std::pair<std::string, Names>>> by_verdict;
+  for (auto& [key, names] : studies) by_verdict[key.first].emplace_back(key.second, std::move(names));
+  Names clauses;
+  for (auto& [verdict, solvers] : by_verdict) {
+    std::ranges::stable_sort(solvers, std::ranges::greater(), [](const auto& each) { return each.second.size(); });
+    Names parts;
+    for (const auto& [solver, names] : solvers)
+      parts.push_back(parts.empty() ? fmt::format("{} is {} {}", solver, verdict, place_text(report, names))
+                                    : fmt::format("{} {}", solver, place_text(report, names)));
+    if (parts.size() > max_counted) {
+      const std::int64_t more = std::ssize(parts) - std::int64_t{max_counted};
+      parts.resize(max_counted);
+      parts.push_back(base::counted(more, "more solvers") + " on fewer");
+    }
+    clauses.push_back(listed(parts));
+  }
+  return fmt::format("In {}, {}", report.columns.front().model.primary().samples.quantity, fmt::join(clauses, "; "));
 }
 
 // Returns "The order changes: A is better than B at 1, and B is better than A at 10."; empty if no two studies decide
 // opposite differences.
 std::string reversals_text(const StudiesReport& report) {
-  std::map<std::pair<std::string, std::string>, Names> winners;  // studies, by the better solver and the worse one
+  using Decided = std::tuple<std::string, std::string, std::string>;  // metric, better solver, worse one
+  std::map<Decided, Names> winners;                                   // studies
   for (const StudyColumn& column : report.columns) {
+    const std::string& metric = column.model.primary().samples.quantity;
     for (const Comparison& comparison : column.model.primary().comparisons) {
       if (verdict_of(comparison) == Verdict::better)
-        winners[{comparison.first, comparison.second}].push_back(column.name);
+        winners[{metric, comparison.first, comparison.second}].push_back(column.name);
       if (verdict_of(comparison) == Verdict::worse)
-        winners[{comparison.second, comparison.first}].push_back(column.name);
+        winners[{metric, comparison.second, comparison.first}].push_back(column.name);
     }
   }
   Names texts;
   std::size_t more = 0;
-  for (const auto& [pair, names] : winners) {
-    const auto& [first, second] = pair;
-    const auto opposite = winners.find({second, first});
+  for (const auto& [decided, names] : winners) {
+    const auto& [metric, first, second] = decided;
+    const auto opposite = winners.find({metric, second, first});
     if (opposite == winners.end() || second < first) continue;
     if (texts.size() == max_reversed_pairs) {
       ++more;
@@ -231,17 +301,26 @@ std::vector<Blocks> sections_of(const StudiesReport& report) {
 }  // namespace
 
 std::vector<std::string> requirement_sentences(const StudiesReport& report) {
-  Names texts;
+  NamesByPhrase sentences;
   for (const StudyColumn& column : report.columns)
-    for (const std::string& sentence : show::requirement_sentences(column.model))
-      texts.push_back(fmt::format("{}: {}", as_sentence(place_text(report, {column.name})), sentence));
+    for (const std::string& sentence : show::requirement_sentences(column.model)) sentences.add(sentence, column.name);
+  Names texts;
+  for (const auto& [sentence, names] : sentences.entries)
+    texts.push_back(names.size() > 1 && names.size() == report.columns.size()
+                        ? sentence
+                        : fmt::format("{}: {}", as_sentence(place_text(report, names)), sentence));
   return texts;
 }
 
 std::string headline(const StudiesReport& report) {
+  const std::vector<OutcomeGroup> groups = outcome_groups(report);
+  const std::string counts = groups.size() > max_named ? counts_text(report) : "";
+  if (!counts.empty()) return counts + '.' + reversals_text(report);
   std::string text, metric;
-  for (const OutcomeGroup& group : outcome_groups(report)) {
-    const bool names_metric = !group.outcome.losers.empty() && group.outcome.metric != metric;
+  for (const OutcomeGroup& group : groups) {
+    const bool is_about_metric =
+        group.outcome.has_difference() || (group.outcome.is_tested && !group.outcome.is_nothing_solved);
+    const bool names_metric = is_about_metric && group.outcome.metric != metric;
     if (names_metric) metric = group.outcome.metric;
     text += fmt::format("{}{}, {}", text.empty() ? "" : "; ", place_text(report, group.names),
                         clause(group.outcome, group.names.size() == 1 ? group.model : nullptr, names_metric));
@@ -287,9 +366,8 @@ Table studies_table(const StudiesReport& report) {
                   intervals_text(table, report), "Each study is judged by itself"};
   std::erase(sentences, "");
   table.notes = {fmt::format("{}.", fmt::join(sentences, ". "))};
-  const auto unit = &Column::unit;
-  const bool has_one_unit =
-      std::ranges::count(table.columns, table.columns.back().unit, unit) == std::ssize(report.columns);
+  const auto is_of_unit = [&](const Column& column) { return column.unit == table.columns.back().unit; };
+  const bool has_one_unit = std::all_of(table.columns.begin() + 1, table.columns.end(), is_of_unit);
   if (report.columns.size() <= max_study_columns || !has_one_unit) return table;
   return transposed(table, report.keys.size() == 1 ? report.keys.front() : "study");
 }

@@ -93,7 +93,7 @@ struct Sweep {
     values.emplace_back();
     int depth = 0;  // of brackets, whose commas are inside a value
     for (const char c : text.substr(equals + 1)) {
-      depth += (c == '[') - (c == ']');
+      depth += (c == '[' || c == '{') - (c == ']' || c == '}');
       if (c == ',' && depth == 0)
         values.emplace_back();
       else
@@ -121,11 +121,18 @@ bool is_general_key(const std::string& key) {
 
 // Refuses the sweep of a key that is not of a study, or that changes no result.
 void refuse_fixed_key(const Sweep& sweep) {
-  constexpr std::array<std::string_view, 5> fixed{"figures", "name", "published", "require", "title"};
+  constexpr std::array<std::string_view, 8> fixed{"analysis", "figures", "name",  "published",
+                                                  "require",  "rounds",  "state", "title"};
   const std::string owner = sweep.key.substr(0, sweep.key.find('.'));
   if (std::ranges::find(fixed, owner) != fixed.end())
     throw std::invalid_argument(
-        fmt::format("--sweep {}: {} changes no result; give it once, by --set", sweep.key, owner));
+        fmt::format("--sweep {}: {} changes no answer; give it once, by --set", sweep.key, owner));
+  const bool is_of_table = std::ranges::find(study_tables, owner) != study_tables.end();
+  if (owner != sweep.key && !is_of_table)
+    throw std::invalid_argument(
+        fmt::format("--sweep study.{0}: {1} is not a table of a study; for an option of a solver: "
+                    "--sweep {0}=...",
+                    sweep.key, owner));
   if (owner == sweep.key && !is_general_key(owner))
     throw std::invalid_argument(
         fmt::format("--sweep {}: a study has no such key; see: ikbench list studies any-arm", owner));
@@ -235,10 +242,14 @@ bool is_sweep_of_study(const std::string& text) {
 
 std::vector<SweptStudy> swept_studies(const std::vector<std::string>& texts) {
   std::vector<SweptStudy> studies{{}};
+  std::set<std::string> keys;
   for (const std::string& text : texts) {
     Sweep sweep(text);
     if (sweep.key.starts_with(fmt::format("{}.", study_owner))) sweep.key.erase(0, study_owner.size() + 1);
     refuse_fixed_key(sweep);
+    if (!keys.insert(sweep.key).second)
+      throw std::invalid_argument(
+          fmt::format("--sweep {}: this key is swept twice; give all of its values in one --sweep", sweep.key));
     const std::vector<std::string> names = names_of(sweep);
     if (studies.size() * names.size() > max_swept_studies)
       throw std::invalid_argument(fmt::format("--sweep {}: more than {} studies; expected fewer values",

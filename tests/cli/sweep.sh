@@ -33,7 +33,7 @@ equal "studies afterwards" "$(studies $store)" "any-arm robot=puma560; any-arm r
 
 # By a number and an option: columns and rows. A requirement is checked in each study.
 ends 3 "${sweep[@]}" --robot ur5e --sweep near_deg=1,10,45 --set start=near --sweep LM.damping=1,0.1 --require PSO.solved=95%
-has "$out" "At near_deg = 45: PSO"
+has "$out" "PSO solved 0 of 12 targets: at least 95 % is not met"
 equal "rows" "$(cut -d, -f1 out/ur5e-by-near_deg/tables/studies.csv | sort | tr '\n' ' ')" "LM damping=0.1 LM damping=1 PSO solver "
 if can gnuplot; then
   succeeds report out/ur5e-by-near_deg/store.sqlite

@@ -149,7 +149,7 @@ TEST_CASE("a control that is swept or left out is none, which is told", "[sweep]
 
 TEST_CASE("a sweep is of the solvers if any has such an option, otherwise of the study", "[sweep]") {
   for (const char* const of_study : {"near_deg=1,10", "robot=ur5e,my.urdf", "stop.seconds=1,2", "path.pitch_cm=1,2",
-                                     "runs=5,10", "study.population=20,50", "analysis.deadline_ms=1,5"})
+                                     "runs=5,10", "study.population=20,50"})
     CHECK(is_sweep_of_study(of_study));
   for (const char* const of_solvers :
        {"population=10,20", "bounds=clamp,initial", "alpha=0.5,0.9", "IK-BA.alpha=1,2", "mine.w=1,2", "alhpa=1,2"})
@@ -175,8 +175,13 @@ TEST_CASE("mistakes in a sweep of a study name the value and what to do", "[swee
   };
   CHECK(contains(mistake("near_deg=1,1.0"), "given twice"));
   CHECK(contains(mistake("near_deg=1,"), "is not a value"));
-  CHECK(contains(mistake("figures.font=a,b"), "changes no result"));
-  CHECK(contains(mistake("name=a,b"), "changes no result"));
+  for (const char* const fixed : {"figures.font=a,b", "name=a,b", "rounds=4,6", "analysis.margin_percent=5,20"})
+    CHECK(contains(mistake(fixed), "changes no answer"));
+  CHECK(contains(mistake("study.DLS.damping=1,2"), "not a table of a study"));
+  CHECK(contains(complaint<std::invalid_argument>([] {
+                   swept_studies({"near_deg=1,2", "study.near_deg=3,4"});
+                 }),
+                 "swept twice"));
   CHECK(contains(mistake("study.nothing=1,2"), "a study has no such key"));
   std::string many = "seed=0";
   for (int seed = 1; seed <= 100; ++seed) many += "," + std::to_string(seed);

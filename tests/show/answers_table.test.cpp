@@ -64,10 +64,10 @@ TEST_CASE("a study whose answers were not counted has no table, and says why if 
   CHECK(contains(judge::why_not_counted(study), "7 joints for 6 freedoms"));
 }
 
-TEST_CASE("where all targets have a continuum no target counts", "[answers]") {
+TEST_CASE("where all targets have a singular answer no target counts", "[answers]") {
   StudyResults study = study_with_answers();
   for (results::KnownAnswers& target : study.answers.targets) target = {.point = target.point, .is_continuum = true};
   const Table table = answers_table(study);
   CHECK(table.rows.empty());
-  CHECK(contains(table.caption, "No target counts: each of the 20 targets has a continuum"));
+  CHECK(contains(table.caption, "No target counts: each of the 20 targets has a singular answer"));
 }

@@ -53,11 +53,43 @@ TEST_CASE("the headline says where which difference is decided", "[studies]") {
         "On my_arm, B (40 %) is worse than A (100 %) in targets solved; on ur5e and panda, no difference is shown.");
   CHECK(headline_of({"near_deg"}, {column("1", 20, 8), column("10", 20, 3)}) ==
         "At near_deg = 1 and 10, B is worse than A in targets solved.");
-  CHECK(headline_of({}, {column("one", 20, 20), column("two", 19, 20)}) == "In one and two, no difference is shown.");
+  CHECK(headline_of({}, {column("one", 20, 20), column("two", 19, 20)}) ==
+        "In one and two, no difference in targets solved is shown.");
   std::vector<StudyColumn> many;
   for (int i = 0; i < 9; ++i) many.push_back(column(std::to_string(i), 20, i == 4 ? 20 : 8));
   CHECK(headline_of({"robot"}, many) ==
         "On 8 of the 9 arms, B is worse than A in targets solved; on 4, no difference is shown.");
+}
+
+TEST_CASE("with a control the headline says who is better and worse than it", "[studies]") {
+  const auto with_control = [](const std::string& name, int a, int b) {
+    StudyColumn controlled = column(name, a, b);
+    controlled.model =
+        make_report_model({judged(shares({{"A", solved(a)}, {"B", solved(b)}, {"C", solved(10)}}), {.control = "B"})});
+    return controlled;
+  };
+  CHECK(headline_of({"near_deg"}, {with_control("1", 20, 8), with_control("10", 20, 8)}) ==
+        "At near_deg = 1 and 10, A is better than the control B in targets solved.");
+  CHECK(contains(headline_of({"near_deg"}, {with_control("1", 2, 20)}), "worse than the control B (100 %)"));
+}
+
+TEST_CASE("of many outcomes the headline counts the studies in which each solver is worse", "[studies]") {
+  std::vector<StudyColumn> many;
+  for (int i = 0; i < 12; ++i) {
+    many.push_back(column(std::to_string(i), 20, 20));
+    many.back().model = make_report_model({judged(shares({{"A", solved(20)},
+                                                          {"B", solved(i % 2 == 0 ? 3 : 20)},
+                                                          {"C", solved(i % 3 == 0 ? 3 : 20)},
+                                                          {"D", solved(i == 5 ? 2 : 20)}}))});
+  }
+  CHECK(contains(
+      headline_of({"robot"}, many),
+      "In targets solved, B is worse than some other solver on 6 of the 12 arms; C on 0, 3, 6 and 9 and D on 5."));
+}
+
+TEST_CASE("a study without a tested pair says why", "[studies]") {
+  StudyColumn one{.name = "10", .study = "my 10", .model = make_report_model({judged(shares({{"A", solved(20)}}))})};
+  CHECK(headline_of({"near_deg"}, {one}) == "At near_deg = 10, A (100 %) is the only solver.");
 }
 
 TEST_CASE("the order changes only where two studies decide opposite differences", "[studies]") {
