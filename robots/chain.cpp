@@ -227,7 +227,12 @@ std::vector<double> Chain::points_on_axes(Start start) const {
   std::vector<double> at(links_.size(), 0);
   if (start == Start::frames && links_.front().joint == Joint::turns) at.front() = links_.front().d;
   for (std::size_t j = 1; start == Start::nearest && j < at.size(); ++j) at[j] = before(j, at[j - 1]).along;
-  if (!all_turn_) return at;
+  if (all_turn_) shorten(at, 0);
+  return at;
+}
+
+void Chain::shorten(std::vector<double>& at, double blur) const {
+  const auto blurred = [&](double beside) { return blur > 0 ? length(beside, blur) : beside; };
   constexpr int max_sweeps = 200;
   for (int sweep = 0; sweep < max_sweeps; ++sweep) {
     double moved = 0;
@@ -236,8 +241,8 @@ std::vector<double> Chain::points_on_axes(Start start) const {
       double best = next.along;
       if (j > 0) {
         const Seen last = before(j, at[j - 1]);
-        const double sum = last.beside + next.beside;
-        best = sum > 0 ? (last.along * next.beside + next.along * last.beside) / sum  // as light is reflected
+        const double from_last = blurred(last.beside), from_next = blurred(next.beside), sum = from_last + from_next;
+        best = sum > 0 ? (last.along * from_next + next.along * from_last) / sum  // as light is reflected
                        : std::clamp(at[j], std::min(last.along, next.along), std::max(last.along, next.along));
       }
       moved = std::max(moved, std::abs(best - at[j]));
@@ -245,7 +250,6 @@ std::vector<double> Chain::points_on_axes(Start start) const {
     }
     if (moved < 1e-12) break;
   }
-  return at;
 }
 
 Chain::Seen Chain::after(std::size_t joint, double along_next) const {
@@ -284,6 +288,19 @@ Chain::Ball Chain::reach() const {
   if (!all_turn_) return ball;
   const Ball other = ball_through(points_on_axes(Start::nearest));
   return other.radius < 0.995 * ball.radius ? other : ball;  // a small gain is not worth new bits
+}
+
+Chain::Ball Chain::smallest_ball() const {
+  Ball smallest = reach();
+  if (!all_turn_) return smallest;
+  std::vector<double> points = points_on_axes(Start::nearest);
+  // Where two points meet, no single one can move without a detour. Blurred lengths have no such corners.
+  for (const double blur : {0.0, 0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4, 1e-4}) {  // [m]
+    if (blur > 0) shorten(points, blur);
+    const Ball ball = ball_through(points);
+    if (ball.radius < smallest.radius) smallest = ball;
+  }
+  return smallest;
 }
 
 std::string Chain::definition() const {

@@ -89,6 +89,8 @@ class Chain {
   };
   // Returns a ball whose radius is the sum of the lengths between points of successive axes, which no joint changes.
   Ball reach() const;
+  // Returns the smallest such ball, to a millimetre. Takes about a millisecond.
+  Ball smallest_ball() const;
   // Returns everything that decides the positions of the arm as text, each number with all its digits. Arms with equal
   // definitions are the same arm.
   std::string definition() const;
@@ -122,6 +124,9 @@ class Chain {
   // Returns a point on each axis, as a distance [m] from its joint's frame, such that the sum of the lengths between
   // the points is small.
   std::vector<double> points_on_axes(Start start) const;
+  // Moves the points so that the sum becomes smaller. Each length counts as the hypotenuse of the length across an axis
+  // and the blur [m].
+  void shorten(std::vector<double>& at, double blur) const;
   Ball ball_through(const std::vector<double>& points) const;
   enum class Kind { all_turn, any };
   template <Kind kind, class Visit>
