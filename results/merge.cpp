@@ -38,8 +38,8 @@ Store opened(const fs::path& place) {
 // unreachable, and how often the study is run. Some parts follow from others, and the keys of series compare the rest,
 // such as how programs are started.
 const std::set<std::string> decide_no_solve{
-    "analysis", "departures", "figures", "name",  "require", "unreachable_targets",
-    "solvers",  "published",  "runs",    "title", "rounds",  "sweep"};
+    "analysis", "departures", "figures", "grid",  "name",   "require", "unreachable_targets",
+    "solvers",  "published",  "runs",    "title", "rounds", "sweep"};
 
 // The links by which an arm was chosen. The definition's arm has the links that were taken, whether named or found.
 const std::set<std::string> settled_in_arm{"urdf.base", "urdf.tip"};

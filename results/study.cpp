@@ -104,6 +104,16 @@ void refuse_former_keys(const toml::table& table, std::string_view source) {
   }
 }
 
+// Reads the grid of the targets. Throws std::invalid_argument for a plane without its vectors.
+void read_grid(base::TomlReader reader, StudyDefinition& study) {
+  constexpr int dimensions = 3;
+  list_fields(reader, study.grid);
+  for (const std::vector<double>* vector : {&study.grid.across, &study.grid.up, &study.grid.shoulder}) {
+    if (study.is_grid() && std::ssize(*vector) != dimensions)
+      throw std::invalid_argument(fmt::format("study {}: the plane of the grid lacks a vector", study.name));
+  }
+}
+
 }  // namespace
 
 std::vector<Requirement> read_requirements(const base::TomlReader& require) {
@@ -173,6 +183,7 @@ StudyDefinition definition_of(const base::Json& document, std::string json) {
   reader.whole("points", study.points, counts);
   reader.texts("departures", study.departures);
   reach.whole("points", study.unreachable_targets, counts);
+  read_grid(reader.part("grid"), study);
   arm.text("base_link", study.base_link);
   arm.text("tip_link", study.tip_link);
   arm.texts("notes", study.arm_notes);

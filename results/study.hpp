@@ -209,6 +209,36 @@ constexpr std::size_t max_solvers = 400;  // per study, because its report has a
 // a member above and an entry there. `stop`, `plan` and `figures` have lists of their own.
 void list_fields(base::Fields& io, StudySpec& study);
 
+// The plane of a study whose targets are a grid, and what was left out of it.
+struct TargetGrid {
+  // The tool's attitude at every place of the grid.
+  // down: along minus the base's z axis.
+  // directions: one after the other in `directions` directions within the plane.
+  // zero: as at zero joint angles, since all axes of the arm are parallel.
+  enum class Tool { down, directions, zero } tool = Tool::down;
+  int directions = 1;                        // targets of a place, one after the other
+  double step = 0;                           // [m]; 0: the targets are no grid
+  std::vector<double> across = {}, up = {};  // unit vectors of the plane, in the base's frame
+  std::vector<double> shoulder = {};         // [m] centre of the ball that the tool never leaves
+  double reach = 0;                          // [m] its radius
+  int left_out = 0;                          // targets in that ball that certainly no configuration reaches
+
+  bool operator==(const TargetGrid&) const = default;
+};
+
+// Lists the fields for the store's JSON.
+inline void list_fields(base::Fields& io, TargetGrid& grid) {
+  constexpr std::int64_t max_directions = 360;
+  io.choice("tool", grid.tool, {"down", "directions", "zero"});
+  io.whole("directions", grid.directions, {1, max_directions});
+  io.number("step_m", grid.step, 1, {0, 1e6});
+  io.numbers("across", grid.across, 1, 0);
+  io.numbers("up", grid.up, 1, 0);
+  io.numbers("shoulder_m", grid.shoulder, 1, 0);
+  io.number("reach_m", grid.reach, 1, {0, 1e6});
+  io.whole("left_out", grid.left_out, {0, 100'000'000});
+}
+
 // A study as the store keeps it, with what judging needs of its arm and targets.
 struct StudyDefinition : StudySpec {
   int points = 0;
@@ -220,12 +250,14 @@ struct StudyDefinition : StudySpec {
   // How far each joint can move in a period of the loop [rad, m], and whether it is continuous; empty without a loop.
   std::vector<std::pair<double, bool>> max_steps;
   int unreachable_targets = 0;  // targets that no configuration reaches
+  TargetGrid grid;              // if the targets are a grid
   std::string arm;              // JSON, as robots/robot.hpp reads it
   std::string task;             // JSON: the initial configuration, and how targets are drawn
   std::string json;             // the whole definition, as the store has it
 
   // [s] within which a solve counts as in time; 0: there is none.
   double deadline() const { return plan.deadline > 0 ? plan.deadline : loop.period; }
+  bool is_grid() const { return grid.step > 0; }
   // Returns true if values are means of runs, otherwise of targets.
   bool compares_runs() const {
     return is_chained() ? plan.values == AnalysisPlan::Values::runs : points == 1 && !draws_targets;

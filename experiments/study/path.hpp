@@ -10,11 +10,19 @@
 
 #include "base/fields.hpp"
 #include "numerics/random.hpp"
+#include "results/study.hpp"
 #include "robots/robot.hpp"
 
 namespace ikbench::experiments {
 
 using base::Fields, base::InKey, numerics::Key, numerics::Random, robots::Configuration, robots::Pose, robots::Robot;
+
+// The goal of a study's solves, by which a grid leaves out targets that no solve can reach.
+struct Aim {
+  results::Search search = results::Search::pose;
+  double tolerance = 0;        // [m]
+  double angle_tolerance = 0;  // [rad]
+};
 
 // A kind of path, with the fields of one path. Its file defines NAME_path(), which makes a path with the defaults.
 class TargetSet {
@@ -26,6 +34,11 @@ class TargetSet {
   // Reads the files that the fields name, in the folder of the study. Throws std::invalid_argument, which says what is
   // wrong and what is expected.
   virtual void load(const std::filesystem::path&) {}
+  // Lays the targets out for an arm. Only a grid does; its points are 0 before. Throws std::invalid_argument if the arm
+  // has no such targets.
+  virtual void lay_out(const Robot&, const Aim&) {}
+  // Returns the plane of a grid; null for other paths.
+  virtual const results::TargetGrid* grid() const { return nullptr; }
   // Throws std::invalid_argument if the fields do not fit each other, or if the arm has no such targets.
   virtual void check(const Robot&) const {}
   // Returns true if every run draws its own targets, false if all runs have the same.

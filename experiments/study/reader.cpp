@@ -184,6 +184,12 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
     if (is_wrong) throw reader.mistake(key, message);
   };
   with_key_context(reader, "path", [&] { study.path->check(arm); });
+  refuse_if(study.path->grid() != nullptr && study.is_chained(), "start",
+            "start is \"previous\", but a grid is no way that an arm follows; expected another start");
+  refuse_if(study.path->grid() != nullptr && study.runs > 1, "runs",
+            fmt::format("runs is {}, but a grid is solved once; expected runs = 1", study.runs));
+  refuse_if(study.path->grid() != nullptr && !study.has_tolerance(), "path",
+            "path.kind is \"grid\", which shows what is solved; expected stop.tolerance_cm");
   refuse_if(study.path->uses_numpy_random() && study.seed > std::numeric_limits<std::uint32_t>::max(), "seed",
             "path.generator is \"numpy\", whose seeds are at most 4294967295");
   Random random(Key(0));
@@ -299,9 +305,31 @@ void read_urdf(TomlReader& reader, Study& study) {
   read_part(urdf, study.urdf);
 }
 
-// Reads [stop]. If only evaluations are limited, iterations do not end a solve.
-void read_stop(const TomlReader& stop, Study& study) {
+// Gives a grid the settings that its file leaves to the arm, or to what a grid is for.
+void set_defaults_of_grid(const toml::table& table, Study& study, const Robot& arm) {
+  constexpr int joints_of_pose = 6, joints_of_axis = 5;
+  if (!table.contains("runs")) study.runs = 1;
+  if (!table.contains("start")) study.start = Start::middle;
+  if (table.contains("search")) return;
+  study.search = Search::all_joints;
+  if (arm.joints() == joints_of_axis) study.search = Search::axis;
+  if (arm.joints() < joints_of_pose) return;
+  study.search = Search::pose;
+  if (!table.contains("wrap")) study.wrap = WrapPolicy::nearest;
+}
+
+// Lays a grid out for the arm, once the search and its tolerances are known.
+void lay_out_path(const TomlReader& reader, Study& study, const Robot& arm) {
+  with_key_context(reader, "path", [&] {
+    study.path->lay_out(arm, {study.search, study.stop.tolerance, study.stop.angle_tolerance});
+  });
+}
+
+// Reads [stop]. If only evaluations are limited, iterations do not end a solve. A grid that chooses the search by the
+// arm has a tolerance of the orientation only if the orientation is searched.
+void read_stop(const TomlReader& stop, Study& study, bool chooses_search) {
   read_part(stop, study.stop);
+  if (chooses_search && !study.has_direction()) study.stop.angle_tolerance = 0;
   if (study.stop.evaluations > 0 && !stop.table().contains("iterations"))
     study.stop.iterations = max_iterations(study.stop.evaluations);
   check_stop(stop, study);
@@ -352,11 +380,13 @@ Study read_study(const toml::table& table, std::string_view source, const ArmOfS
   read_general_keys(reader, study);
   study.path = read_path(PathReader(reader.part("path")));
   read_urdf(reader, study);
+  const Robot arm = read_arm(reader, study, arm_of_store);
+  if (study.path->grid() != nullptr) set_defaults_of_grid(table, study, arm);
   const TomlReader stop = reader.part("stop"), analysis = reader.part("analysis"), figures = reader.part("figures");
-  read_stop(stop, study);
+  read_stop(stop, study, study.path->grid() != nullptr && !table.contains("search"));
+  lay_out_path(reader, study, arm);
   read_part(reader.part("loop"), study.loop);
   if (reader.find("check") != nullptr) read_check(reader.part("check"), study);
-  const Robot arm = read_arm(reader, study, arm_of_store);
   convert_initial(reader, study, arm);
   read_solvers(reader, study, arm);
   read_plan(analysis, study);

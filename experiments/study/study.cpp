@@ -139,7 +139,7 @@ std::vector<Configuration> starts_of_run(const Study& study, const Robot& arm, i
 }
 
 std::vector<UnreachableTarget> unreachable_targets(const Study& study) {
-  if (study.path->is_random()) return {};
+  if (study.path->is_random() || study.path->grid() != nullptr) return {};
   const Robot arm = robot_of(study);
   const std::optional<SphericalWrist> wrist =
       study.search == Search::wrist ? std::optional<SphericalWrist>(arm.chain) : std::nullopt;

@@ -120,7 +120,7 @@ struct UnreachableTarget {
   double distance;  // [m]
   double reach;     // [m]
 };
-// Returns the unreachable targets of a run; none for a path that draws targets.
+// Returns the unreachable targets of a run; none for a path that draws targets, or that leaves them out.
 std::vector<UnreachableTarget> unreachable_targets(const Study& study);
 
 // A share of a study's solves, so that several machines can solve a study side by side.

@@ -119,6 +119,7 @@ bool read_stored_targets(const StoredStudy& stored, Study& study) {
   if (const Path path = path_of_kind(stored)) study.path = path;
   TomlReader fields = reader.part("path");
   study.path->list_fields(fields);
+  study.path->lay_out(robot_of(study), {study.search, study.stop.tolerance, study.stop.angle_tolerance});
   if (study.path->points() != stored.definition.points) return false;
   const Configuration units = joint_units(robot_of(study).chain);
   Configuration initial;
@@ -161,14 +162,15 @@ Study load_study(const Store& store, const StoredStudy& stored, const Overrides&
     throw std::invalid_argument(fmt::format(
         "study {}: the store, of an older ikbench, does not say how its solvers were set; run its study file again",
         stored.name));
-  for (const char* made_of_study : {"arm", "departures", "points", "sweep", "unreachable_targets"})
+  for (const char* made_of_study : {"arm", "departures", "grid", "points", "sweep", "unreachable_targets"})
     study.erase(made_of_study);
   if (study.contains("figures")) study["figures"].erase("colours");
   if (study.contains("path")) study["path"].erase("targets");
   toml::table table = toml_of(study);
   give_colours(table, stored.definition.figures.colours);
   const Path path = path_in(stored, table);
-  const bool are_listed = path != nullptr && (path->points() == 0 || path->points() != stored.definition.points);
+  const bool are_listed =
+      path != nullptr && path->grid() == nullptr && (path->points() == 0 || path->points() != stored.definition.points);
   if (are_listed) {
     const Json listed = {{"kind", "poses"}, {"poses", targets_in(store, stored)}};
     table.insert_or_assign("path", toml_of(listed));

@@ -307,6 +307,10 @@ OrderedJson stored_document(const Study& study) {
   json["arm"] = arm_definition(robot_of(study));
   const std::optional<Study> original = original_of(study);
   json["departures"] = original ? departures(study, *original) : std::vector<std::string>();
+  if (study.path->grid() != nullptr) {
+    TargetGrid grid = *study.path->grid();
+    json["grid"] = json_of(written_fields(grid));
+  }
   const std::size_t unreachable = unreachable_targets(study).size();
   if (unreachable > 0) json["unreachable_targets"]["points"] = unreachable;
   return json;

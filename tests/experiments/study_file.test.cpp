@@ -91,7 +91,7 @@ TEST_CASE("a path of any kind comes back as it was", "[study]") {
   const std::vector<Path> all{path_of({"points=3"}), path_of({"kind=circle", "radius_cm=7.3", "points=9", "tool=eq27"}),
                               path_of({"kind=random", "points=7", "set=edge", "beyond_percent=20"}),
                               path_through({Pose::Identity()})};
-  CHECK(all.size() + 1 == target_sets().size());  // poses of a CSV file: pose_csv.test.cpp
+  CHECK(all.size() + 2 == target_sets().size());  // poses of a CSV file: pose_csv.test.cpp; a grid: grid.test.cpp
   for (const Path& path : all) {
     Study study = small_study();
     study.path = path;
