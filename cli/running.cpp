@@ -31,6 +31,10 @@ void print_notes(const Study& study) {
                      counted(std::ssize(targets), "targets"), targets.size() == 1 ? "is" : "are", point, distance * 100,
                      reach * 100));
   }
+  if (const TargetGrid* const grid = study.path->grid(); grid != nullptr && grid->left_out > 0)
+    print_message(fmt::format("{} certainly out of reach, and {} not made",
+                              counted(grid->left_out, "targets") + (grid->left_out == 1 ? " is" : " are"),
+                              grid->left_out == 1 ? "is" : "are"));
   std::map<std::string, std::vector<std::string>> labels_by_reason;
   for (const SkippedSolver& entry : study.skipped) labels_by_reason[entry.reason].push_back(entry.label);
   std::vector<std::string> left_out;

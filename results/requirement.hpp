@@ -8,6 +8,10 @@
 
 namespace ikbench::results {
 
+// The reason why a study of a grid has no requirements.
+inline constexpr std::string_view grid_is_no_sample =
+    "the targets are a grid, which is no random sample, so that nothing is shown of a share; expected other targets";
+
 struct Requirement {
   std::string solver = {};  // label; empty: the user's own solvers, or all solvers if none is the user's
   std::string metric = {};  // slug of a share: "solved", "in-time"

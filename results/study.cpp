@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -9,6 +11,7 @@
 #include "base/json.hpp"
 #include "base/names.hpp"
 #include "base/toml_table.hpp"
+#include "base/units.hpp"
 
 namespace ikbench::results {
 
@@ -134,6 +137,31 @@ std::vector<Requirement> read_requirements(const base::TomlReader& require) {
       read(key, node, "");
   }
   return requirements;
+}
+
+namespace {
+
+// Returns "plane y = 0".
+std::string plane_text(const TargetGrid& grid) {
+  const std::vector<double>&x = grid.across, &y = grid.up;
+  const std::array<double, 3> normal{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+  for (const std::size_t axis : {0, 1, 2}) {
+    constexpr double nearly = 1 - 1e-9;
+    const double at = grid.shoulder[axis];
+    if (std::abs(normal[axis]) > nearly)
+      return fmt::format("plane {} = {:.3g}{}", "xyz"[axis], at, at == 0 ? "" : " m");
+  }
+  return fmt::format("plane through the shoulder, normal to ({:.2g}, {:.2g}, {:.2g})", normal[0], normal[1], normal[2]);
+}
+
+}  // namespace
+
+std::string StudyDefinition::grid_text() const {
+  std::string tool;
+  if (has_direction() && grid.tool == TargetGrid::Tool::down) tool = "tool down, ";
+  if (has_direction() && grid.tool == TargetGrid::Tool::zero) tool = "tool as at zero joint angles, ";
+  if (grid.tool == TargetGrid::Tool::directions) tool = fmt::format("{} directions of the tool, ", grid.directions);
+  return fmt::format("{}{}, steps of {:.4g} cm", tool, plane_text(grid), grid.step / base::centimetre);
 }
 
 std::string lack_of_share(const StudySpec& study, std::string_view slug) {

@@ -258,6 +258,8 @@ struct StudyDefinition : StudySpec {
   // [s] within which a solve counts as in time; 0: there is none.
   double deadline() const { return plan.deadline > 0 ? plan.deadline : loop.period; }
   bool is_grid() const { return grid.step > 0; }
+  // Returns "tool down, plane y = 0, steps of 5 cm"; only for a grid.
+  std::string grid_text() const;
   // Returns true if values are means of runs, otherwise of targets.
   bool compares_runs() const {
     return is_chained() ? plan.values == AnalysisPlan::Values::runs : points == 1 && !draws_targets;

@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "analysis/figures/map.hpp"
 #include "analysis/judge/statistics/omnibus.hpp"
 #include "analysis/judge/statistics/pair_data.hpp"
 #include "base/names.hpp"
@@ -26,7 +27,9 @@ namespace {
 constexpr std::string_view error = "position_error_cm", motion = "variation_deg", time = "seconds";
 
 // Returns whether the targets of a study have an order.
-bool is_path(const StudyResults& study) { return !study.definition.draws_targets && study.definition.points > 1; }
+bool is_path(const StudyResults& study) {
+  return !study.definition.draws_targets && study.definition.points > 1 && !study.definition.is_grid();
+}
 
 std::string observation_of(const StudyResults& study, const Metric& metric) {
   const results::StudyDefinition& definition = study.definition;
@@ -212,7 +215,7 @@ std::vector<std::size_t> easiest_first(const SolvedTargets& all, const std::vect
 
 std::optional<Figure> targets(const JudgedStudy& judged, const Look& look) {
   const SolvedTargets& all = judged.targets;
-  if (!all.is_complete || !do_solvers_differ(all)) return std::nullopt;
+  if (!all.is_complete || !do_solvers_differ(all) || judged.study.definition.is_grid()) return std::nullopt;
   const std::vector<std::string> shown = drawn_solvers(judged.study, look);
   std::vector<std::size_t> solvers;
   for (const std::string& name : shown)
@@ -234,6 +237,7 @@ std::optional<Figure> targets(const JudgedStudy& judged, const Look& look) {
 
 // The figures of a study, in the order of the report.
 constexpr KindOfFigure all_kinds[]{
+    {"map", "of a grid of targets: where each solver solves them", map_of},
     {"overview", "position error against joint motion",
      [](auto& judged, auto& look) { return overview_of(judged, look, [](Dot&) {}); }},
     {"error-boxes", "position error of each solver",

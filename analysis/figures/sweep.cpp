@@ -25,7 +25,7 @@ CurveRow solved_row(const SweptValue& swept, const std::string& solver) {
     const std::size_t group = index_of(metric.samples, solver);
     if (group == metric.samples.groups.size() || metric.descriptives[group].n == 0) continue;
     row.y = 100 * metric.descriptives[group].mean;
-    if (is_deterministic(metric.samples.groups[group])) continue;
+    if (is_deterministic(metric.samples.groups[group]) || !metric.samples.is_random) continue;
     const Interval interval = wilson_interval(
         {.share = metric.descriptives[group].mean, .n = static_cast<double>(metric.descriptives[group].n)},
         1 - confidence);

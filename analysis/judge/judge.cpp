@@ -79,10 +79,11 @@ void set_group_indices(std::vector<Comparison>& comparisons, const std::vector<G
   }
 }
 
-// Returns the comparisons of a metric. Pairs of the study's own labels keep the p that they would have without imported
-// results. Imported labels are compared only with the control, and these pairs are a second family.
+// Returns the comparisons of a metric; none of a grid. Pairs of the study's own labels keep the p that they would have
+// without imported results. Imported labels are compared only with the control, and these pairs are a second family.
 std::vector<Comparison> comparisons_of(const JudgedMetric& metric, const ImportedResults& imported,
                                        std::size_t metrics) {
+  if (!metric.samples.is_random) return {};
   if (imported.labels.empty()) return compare_pairs(metric.samples, metric.plan, metrics);
   MetricSamples own = metric.samples;
   std::erase_if(own.groups, [&](const Group& group) { return imported.has(group.name); });
@@ -177,7 +178,7 @@ Descriptives shown_descriptives(const MetricSamples& samples, const Group& group
 // Returns the column of the metric that decides a study.
 std::string_view deciding_column(const results::StudyDefinition& study, bool is_any_solved) {
   if (!study.plan.metric.empty()) return study.plan.metric;
-  return is_any_solved ? "solved" : "position_error_cm";
+  return is_any_solved || (study.is_grid() && study.has_tolerance()) ? "solved" : "position_error_cm";
 }
 
 // Returns whether reports show a metric that does not decide.

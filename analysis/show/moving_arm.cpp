@@ -106,7 +106,8 @@ std::optional<std::string> animation_json(const StudyResults& study, const std::
   const std::set<std::size_t> places = shown_places(study, shown);
   for (const std::string& solver : shown) solvers.push_back(first_run(study, solver, places));
   if (solvers.empty()) return std::nullopt;
-  const bool is_path = !study.definition.draws_targets, are_all = *places.rbegin() + 1 == places.size();
+  const bool is_path = !study.definition.draws_targets && !study.definition.is_grid();
+  const bool are_all = *places.rbegin() + 1 == places.size();
   const std::string which =
       are_all ? ""
               : fmt::format(" Only {} of {} targets are shown, evenly spaced.", places.size(), *places.rbegin() + 1);

@@ -43,13 +43,17 @@ Table solves_table(const Report& report) {
     row.push_back(times.empty() ? Cell() : Cell(quantile(times, 0.5)));
     for (const double share : {0.95, 0.99}) {
       const auto interval = judge::quantile_interval(times, share);
-      row.push_back(interval ? Cell(ValueCell{.value = quantile(times, share), .interval = interval}) : Cell());
+      if (interval && study.definition.is_grid())
+        row.emplace_back(quantile(times, share));
+      else
+        row.push_back(interval ? Cell(ValueCell{.value = quantile(times, share), .interval = interval}) : Cell());
     }
     row.push_back(times.empty() ? Cell() : Cell(times.back()));
   }
-  table.notes = {
-      "Time of each solve that gave an answer, solved or not. Brackets: 95 % intervals, which need 72 solves for the 95 % "
-      "quantile and 368 for the 99 % quantile."};
+  table.notes = {"Time of each solve that gave an answer, solved or not."};
+  if (!study.definition.is_grid())
+    table.notes.front() +=
+        " Brackets: 95 % intervals, which need 72 solves for the 95 % quantile and 368 for the 99 % quantile.";
   return table;
 }
 

@@ -13,6 +13,7 @@
 #include "analysis/judge/all_answers.hpp"
 #include "analysis/show/answers_table.hpp"
 #include "analysis/show/hard_targets.hpp"
+#include "analysis/show/map_sentence.hpp"
 #include "analysis/show/phrases.hpp"
 #include "analysis/show/text.hpp"
 
@@ -188,6 +189,7 @@ std::vector<std::string> study_notes(const JudgedStudy& judged) {
   if (are_runs ? definition.points > 1 : definition.runs > 1 && !definition.draws_targets)
     notes.push_back(
         fmt::format("Each {} is the mean of its {}.", are_runs ? "run" : "target", are_runs ? "targets" : "runs"));
+  if (definition.is_grid()) notes = map_notes(judged.study);
   const auto is_time = [](const JudgedMetric& metric) { return metric.samples.quantity_kind == QuantityKind::time; };
   if (std::ranges::any_of(judged.metrics, is_time) &&
       std::ranges::any_of(judged.study.solves, &SolveSummary::is_self_timed))
@@ -267,7 +269,10 @@ ReportModel make_report_model(const JudgedStudy& judged) {
                         {"In batches", batches_table(judged.study)},
                         {"All answers", answers_table(judged.study)}};
   model.targets = targets_table(judged.targets);
-  model.hard_targets = hard_targets(judged.targets, model.solvers());
+  if (definition.is_grid())
+    model.verdict = map_sentence(judged, model.solvers());
+  else
+    model.hard_targets = hard_targets(judged.targets, model.solvers());
   model.noun = definition.compares_runs() ? "runs" : "targets";
   if (definition.stop.only_time_limits()) model.time_limit = number_text(1000 * definition.stop.seconds) + " ms";
   model.named_metrics = names_in_plan(definition).size();

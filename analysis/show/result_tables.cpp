@@ -40,11 +40,13 @@ Cell value_cell(const Group& group, double value) {
                                                          : Cell(value);
 }
 
-// Returns the interval [%] of a share of successes, which is in percent; nullopt for other metrics, and for a
-// deterministic solver, whose share has no chance in it.
+// Returns the interval [%] of a share of successes, which is in percent; nullopt for other metrics, for a
+// deterministic solver, whose share has no chance in it, and for a grid, which is no random sample.
 std::optional<Interval> share_interval(const JudgedMetric& judged, std::size_t group) {
   const Descriptives& descriptives = judged.descriptives[group];
-  if (!is_success_rate(judged) || descriptives.n == 0 || is_deterministic(judged.samples.groups[group])) return {};
+  if (!is_success_rate(judged) || descriptives.n == 0 || !judged.samples.is_random ||
+      is_deterministic(judged.samples.groups[group]))
+    return {};
   const Interval share = wilson_interval({.share = descriptives.mean / 100, .n = static_cast<double>(descriptives.n)},
                                          judged.plan.significance);
   return Interval{100 * share.low, 100 * share.high};
@@ -125,6 +127,7 @@ class ResultColumn {
   }
 
   std::string mark(const std::string& solver, const Comparison* pair, bool is_untested) const {
+    if (!judged_.samples.is_random) return "";
     const Verdict verdict = pair ? verdict_of(*pair) : Verdict::inconclusive;
     const auto* const tested = pair ? std::get_if<TestResult>(&pair->result) : nullptr;
     // A difference below the margin has a mark only if the headline reports the difference. Other metrics have no such
@@ -161,8 +164,8 @@ class ResultColumn {
     cell.value = shown.value;
     cell.is_bound = shown.is_bound;
     cell.interval = share_interval(judged_, i);
-    const bool has_spread = is_deciding() && !is_success_rate(judged_) && !is_conditional_on_success(judged_.samples) &&
-                            !cell.is_bound && descriptives.n >= 2;
+    const bool has_spread = is_deciding() && judged_.samples.is_random && !is_success_rate(judged_) &&
+                            !is_conditional_on_success(judged_.samples) && !cell.is_bound && descriptives.n >= 2;
     if (!has_spread) return cell;
     if (are_means(model_) && !std::isnan(descriptives.sd)) cell.sd = descriptives.sd;
     if (!are_means(model_) && !has_one_average)
@@ -400,7 +403,8 @@ Table results_table(const ReportModel& model, bool is_brief) {
     const ResultColumn column(model, judged, marked);
     table.columns.push_back(result_head(model, judged));
     const bool has_ratios = column.has_ratios();
-    const bool has_own_targets = is_conditional_on_success(samples) && !has_ratios && !judged.comparisons.empty();
+    const bool has_own_targets =
+        is_conditional_on_success(samples) && !has_ratios && (!judged.comparisons.empty() || !samples.is_random);
     if (has_ratios) kinds.ratios.push_back(samples.quantity);
     if (has_own_targets) kinds.own_targets.push_back(samples.quantity);
     for (auto& row : table.rows) {

@@ -195,6 +195,14 @@ void check_given(const TomlReader& at_entry, const Study& study) {
                            "answers have all joints; expected search = \"pose\", \"axis\" or \"all_joints\"");
 }
 
+// Returns why an entry of a grid is left out: the arm decides the goal, and the solver may not solve for such a goal.
+// Returns an empty text if the entry is not left out.
+std::string why_left_out(const Study& study, const SolverEntry& entry, const Robot& arm) {
+  const bool may_be_skipped = study.path->grid() != nullptr && entry.if_missing == IfMissing::skip;
+  if (!may_be_skipped || entry.program || entry.answers) return "";
+  return solver(entry.solver).why_not(arm.chain, goal_kind(study.search));
+}
+
 // Checks an entry against the study. `at_entry` names the label before its keys.
 void check_entry(const TomlReader& reader, const TomlReader& at_entry, const SolverEntry& entry, const Study& study,
                  const Robot& arm) {
@@ -278,6 +286,10 @@ void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
     }
     for (SolverEntry& entry : entries) {
       take_label(entry.label, *table);
+      if (const std::string why = why_left_out(study, entry, arm); !why.empty()) {
+        study.skipped.push_back({.label = entry.label, .reason = why});
+        continue;
+      }
       check_entry(reader, reader.nested(*table, entry.label + "."), entry, study, arm);
       if (study.solvers.size() == max_solvers) throw reader.mistake(key, "the entries make " + too_many_solvers);
       study.solvers.push_back(std::move(entry));

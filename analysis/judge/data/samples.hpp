@@ -132,6 +132,7 @@ struct MetricSamples {
   SampleKind kind = Ratios{};
   double absolute_margin = 0;    // margin of the plan in this unit; 0: the margin is relative
   double resolution = 0;         // values that differ by no more are equal
+  bool is_random = true;         // false: of a grid of targets, which are chosen: no intervals, tests or ranks
   bool is_paired = false;        // values of one block belong together
   bool may_hold_copies = false;  // unpaired rows of a file, which nothing says are measurements of their own
   int min_blocks = 0;            // common blocks that a pair needs, if values are made by session; otherwise 0

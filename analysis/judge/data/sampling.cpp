@@ -354,6 +354,7 @@ MetricSamples empty_samples(const Metric& metric) {
 MetricSamples make_samples(const StudyResults& study, const Metric& metric) {
   MetricSamples samples =
       is_time_metric(metric) ? make_samples_by_session(study, metric) : make_samples_by_target(study, metric);
+  samples.is_random = !study.definition.is_grid();
   samples.warnings = metric_warnings(study, metric);
   Warning unsolved{.kind = WarningKind::times_not_comparable,
                    .detail = "too few targets were solved in the compared sessions"};

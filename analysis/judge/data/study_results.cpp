@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <initializer_list>
+#include <numeric>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -101,6 +102,19 @@ void add_batch(const SolveRecord& record, StudyResults& study) {
   if (std::isfinite(record.seconds) && !has_no_answer(record.status)) times.push_back(record.seconds);
 }
 
+// Adds the place of a target in the plane of a grid. A target without a solve has the place (0, 0).
+void add_grid_place(const SolveRecord& record, StudyResults& study) {
+  const TargetGrid& grid = study.definition.grid;
+  const auto point = static_cast<std::size_t>(record.point);
+  if (!study.definition.is_grid() || record.target_position_m.size() != 3) return;
+  if (record.point > study.definition.points) return;
+  study.grid_places.resize(std::max(study.grid_places.size(), point));
+  const auto along = [&](const std::vector<double>& direction) {
+    return std::inner_product(direction.begin(), direction.end(), record.target_position_m.begin(), 0.0);
+  };
+  study.grid_places[point - 1] = {along(grid.across), along(grid.up)};
+}
+
 std::vector<double> check_values(const SolveRecord& record, const StudyResults& study) {
   std::vector<double> values;
   for (const std::string& name : study.definition.check.numbers())
@@ -120,6 +134,7 @@ void add(const SolveRecord& record, SecondDifference& second_difference, StudyRe
     study.plotted.push_back(record);
   add_extras(record, study);
   study.has_several_answers |= !record.all_answers_rad.empty();
+  add_grid_place(record, study);
   const bool is_single = record.timing != Timing::batch;
   if (!is_single) add_batch(record, study);
   const bool is_timed = record.timing == Timing::clean || record.timing == Timing::process;

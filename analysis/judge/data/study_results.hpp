@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -61,7 +62,8 @@ struct StudyResults : results::StoredStudy {
   std::vector<SolveSummary> solves;  // ordered by solver, run and point; none of another version
   // Full records for figures: the first run of each solver, and every solve with a trace; in the order of the solves.
   std::vector<results::SolveRecord> plotted;
-  std::vector<results::Session> sessions;                                    // those that made the solves
+  std::vector<std::array<double, 2>> grid_places;  // of a grid: each target's place in the plane [m], by point
+  std::vector<results::Session> sessions;          // those that made the solves
   std::map<std::string, std::map<std::string, std::vector<double>>> extras;  // by name and solver; finite values
   std::map<std::string, std::map<std::string, int>> rejections;  // by solver and reason: answers that the check refused
   // By solver that was asked in batches: the sizes of the batches, and the time per pose [s].
