@@ -160,7 +160,9 @@ std::string StudyDefinition::grid_text() const {
   std::string tool;
   if (has_direction() && grid.tool == TargetGrid::Tool::down) tool = "tool down, ";
   if (has_direction() && grid.tool == TargetGrid::Tool::zero) tool = "tool as at zero joint angles, ";
-  if (grid.tool == TargetGrid::Tool::directions) tool = fmt::format("{} directions of the tool, ", grid.directions);
+  if (grid.tool == TargetGrid::Tool::directions)
+    tool = grid.directions == 8 ? "eight directions of the tool, "
+                                : fmt::format("{} directions of the tool, ", grid.directions);
   return fmt::format("{}{}, steps of {:.4g} cm", tool, plane_text(grid), grid.step / base::centimetre);
 }
 

@@ -7,13 +7,13 @@ mkdir bin
 cat >bin/ikbench <<END
 #!/usr/bin/env bash
 [[ "\$*" != "run baselines"* ]] || set -- "\$@" --set runs=1 --set path.points=2 # they take minutes
-[[ "\$*" != "run "* || "\$*" == *" --set runs="* ]] || set -- "\$@" --set runs=4
+[[ "\$*" != "run "* || "\$*" == *" --set runs="* || "\$*" == "run map"* ]] || set -- "\$@" --set runs=4
 exec "$program" "\$@"
 END
 chmod +x bin/ikbench
 export PATH=$work/bin:$PATH
 
-for page in README.md docs/{tutorial,which-solver,compare,figures,your-own-csv,many-machines}.md; do
+for page in README.md docs/{tutorial,which-solver,map,compare,figures,your-own-csv,many-machines}.md; do
   mkdir -p "$work/$page" && cd "$work/$page" || fail "$page: no folder"
   ln -s "$root"/{docs,cli,solvers} .
   block="" is_left_out="" count=0

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# A map: the study of a grid, its sentence, its figure, and no test anywhere; shards, merge, verify and a run of the store.
+source "$(dirname "$0")/common.sh"
+
+coarse=(--set path.step_cm=20 --only LM,DLS,Newton)
+succeeds run map --robot ur5e "${coarse[@]}" --out map
+screen=$out
+has "$screen" "poses that any solver reaches"
+has "${screen//$'\n'/ }" "Tool down, plane y = 0, steps of 20 cm"
+[[ $screen != *"p <"* && $screen != *Brackets* ]] || fail "a test of a grid: $screen"
+[ -s map/figures/map.svg ] || fail "no map.svg"
+[ ! -e map/figures/ranks.svg ] && [ ! -e map/figures/differences.svg ] && [ ! -e map/figures/path.svg ] || fail "figures of a sample"
+json 'of["comparisons"] == [] and of["tests"] == []' map/results.json
+json 'sum("no intervals, tests or ranks" in note for note in of["notes"]) == 1' map/results.json
+json 'not any(row.get("interval") for row in of["groups"])' map/results.json
+succeeds report map/store.sqlite --figures none --out again
+same="$(<map/results.json)"
+has "$same" "$(python3 -c 'import json; print(json.dumps(json.load(open("again/results.json"))["headline"])[1:-1])')"
+succeeds verify map/store.sqlite
+refused "no random sample" report map/store.sqlite --require solved=95% --figures none --out again
+refused "no random sample" run map --robot ur5e "${coarse[@]}" --require solved=95% --out required
+refused "step_cm = " run map --robot ur5e --set path.step_cm=0.1 --out fine
+
+succeeds run map --robot ur5e "${coarse[@]}" --shard 1/2 --out one
+succeeds run map --robot ur5e "${coarse[@]}" --shard 2/2 --out two
+succeeds merge one two --out both
+succeeds report both/store.sqlite --figures none --out both
+has "$out" "poses that any solver reaches"
+succeeds run map/store.sqlite --no-report --out rerun
+succeeds verify rerun/store.sqlite
+succeeds export map/store.sqlite --format targets
+[ "$(wc -l <<<"$out")" -gt 20 ] || fail "too few targets"
+
+# Arms that decide the goal otherwise; a solver that cannot is left out with a sentence.
+succeeds run map --robot planar_3 --set path.step_cm=20 --figures none --out planar
+has "$out" "Plane z = 0"
+succeeds run map --robot dobot_magician --set path.step_cm=5 --figures none --out dobot
+has "$out" "positions"
