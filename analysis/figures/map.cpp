@@ -210,7 +210,8 @@ std::string bar_of(const MapLayout& layout, double legend_cm, bool has_direction
 
 // Returns the plot of a panel, whose numbers are block `index`. `half` is half the side of a cell [m].
 std::string panel_plot(std::size_t index, double half) {
-  const std::string block = fmt::format("data index {} using 1:", index), size = text_of(half);
+  constexpr double overlap = 1.08;  // otherwise seams show between cells
+  const std::string block = fmt::format("data index {} using 1:", index), size = text_of(overlap * half);
   const auto cells = [&](const char* where, const std::string& colour) {
     return fmt::format("{}({} ? $2 : NaN):({}):({}){} ", block, where, size, size, colour);
   };
@@ -221,9 +222,9 @@ std::string panel_plot(std::size_t index, double half) {
         "using ($1-{1}):($3 == 1 ? $2+{1} : NaN):({2}):(-{2}) with vectors nohead {3}",
         index, arm, arm_twice, look);
   };
-  return plotted({cells("$3 == 0", "") + "with boxxyerror fs solid border lw 0.2 lc rgb unsolved",
-                  cells("$3 == 2 && $4 == 0", "") + "with boxxyerror fs solid border lw 0.2 lc rgb uncounted",
-                  cells("$4 > 0", ":(colour($4))") + "with boxxyerror fs solid border lw 0.2 lc palette",
+  return plotted({cells("$3 == 0", "") + "with boxxyerror fs solid noborder fc rgb unsolved",
+                  cells("$3 == 2 && $4 == 0", "") + "with boxxyerror fs solid noborder fc rgb uncounted",
+                  cells("$4 > 0", ":(colour($4))") + "with boxxyerror fs solid noborder fc palette",
                   crosses("lw 1.1 lc rgb paper"), crosses("lw 0.45 lc rgb ink"),
                   "'+' using (shoulder_x):(shoulder_y) every ::0::0 with points pt 1 ps 0.9 lw 2.4 lc rgb paper",
                   "'+' using (shoulder_x):(shoulder_y) every ::0::0 with points pt 1 ps 0.8 lw 1 lc rgb ink"}) +

@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "analysis/show/hard_targets.hpp"
 #include "analysis/judge/statistics/omnibus.hpp"
+#include "analysis/show/hard_targets.hpp"
 #include "analysis/show/headline.hpp"
 #include "analysis/show/phrases.hpp"
 #include "analysis/show/requirements.hpp"

@@ -267,7 +267,7 @@ ReportModel make_report_model(const JudgedStudy& judged) {
   model.extra_tables = {{"Control loop", loop_table(judged.study, model.solvers())},
                         {"Imported results", imported_table(judged.study, model.solvers())},
                         {"In batches", batches_table(judged.study)},
-                        {"All answers", answers_table(judged.study)}};
+                        {"All answers", definition.is_grid() ? Table() : answers_table(judged.study)}};
   model.targets = targets_table(judged.targets);
   if (definition.is_grid())
     model.verdict = map_sentence(judged, model.solvers());

@@ -537,6 +537,7 @@ Table omnibus_table(const ReportModel& model) {
   table.columns[7].role = ColumnRole::p;
   NamesByPhrase left_out;
   for (const JudgedMetric& judged : model.metrics) {
+    if (!judged.samples.is_random) continue;
     auto [tests, without] = omnibus_tests(judged.samples);
     if (judged.plan.test == results::AnalysisPlan::Test::ranks) {
       const std::vector<OmnibusTest> of_ranks = friedman(judged.samples);

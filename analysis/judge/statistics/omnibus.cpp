@@ -187,7 +187,7 @@ double critical_difference(std::size_t groups, std::size_t blocks) {
 
 OmnibusTests omnibus_tests(MetricSamples samples) {
   OmnibusTests all;
-  if (!samples.is_random || is_proportion(samples) || is_log_scale(samples)) return all;
+  if (is_proportion(samples) || is_log_scale(samples)) return all;
   std::erase_if(samples.groups, [&](const Group& group) {
     if (!has_chance(group)) all.without.push_back(group.name);
     return !has_chance(group);
