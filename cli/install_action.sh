@@ -26,7 +26,7 @@ system=$(uname -sm | tr 'A-Z ' 'a-z-')  # linux-x86_64
 # Prints the newest version that has a package for this system and that the tag names: 2.0.1 for v2 and v2.0.
 version_of() {
   awk -v machine="$system" -v version="${1#v}" \
-    '$2 == machine && index($1 ".", version ".") == 1 { print $1 }' <<<"$packages" | sort -V | tail -n 1
+    '$2 == machine && $1 ~ /^[0-9]+\.[0-9]+\.[0-9]+$/ && index($1 ".", version ".") == 1 { print $1 }' <<<"$packages" | sort -V | tail -n 1
 }
 
 # Downloads the package of a version, checks and unpacks it, and prints the path of its program.

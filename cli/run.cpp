@@ -219,9 +219,9 @@ std::vector<Study> studies_of_sweep(const StudyToRun& arguments, const std::vect
   for (experiments::SweptStudy& swept : experiments::swept_studies(sweeps)) {
     Study& study = studies.emplace_back(study_of(arguments, swept));
     if (!study.awaited.empty())
-      throw std::invalid_argument(fmt::format(
-          "--sweep: {} has no answers yet, and each value of a sweep may have targets of its own; leave {} out by --only",
-          study.awaited.front().label, study.awaited.front().label));
+      throw std::invalid_argument(
+          fmt::format("--sweep: {0} has no answers to the targets of each value; leave {0} out by --only",
+                      study.awaited.front().label));
     study.sweep = std::move(swept.place);
     study.sweep.name = study.name + "-by";
     for (const auto& [key, value] : study.sweep.values) {

@@ -106,6 +106,7 @@ void add_verify(const Command& command, Invocation& invocation) {
       if (labels.empty()) return;
       unchecked.push_back(fmt::format("answers and counts of {}{}", fmt::join(labels, ", "), reason));
     };
+    if (!store.counted_answers(study.name).targets.empty()) unchecked.emplace_back("the counts of all answers");
     if (!study.definition.check.process.empty()) unchecked.emplace_back("the results of the study's own check");
     leave_out(again.external, " (programs and libraries)");
     leave_out(again.changed_source, " (their source differs in this version)");

@@ -11,7 +11,7 @@ namespace ikbench::results {
 // The known answers of a target.
 struct KnownAnswers {
   int run = 1, point = 1;                 // run 1 if all runs have the same targets
-  int known = 0;                          // different true answers inside the limits; 0 if there is a continuum
+  int known = 0;                          // different true answers inside the limits; 0 if one is singular
   bool is_continuum = false;              // a known answer is singular: there may be infinitely many
   std::vector<double> restarts_rad = {};  // [rad, m], answers of the restarts, one after another
 };

@@ -190,7 +190,7 @@ WrittenReport publish(Publication publication, const fs::path& folder, const fig
   std::erase_if(files, [&](const fs::path& file) {
     return file.parent_path() == "figures" && !fs::is_regular_file(folder / file);
   });
-  // Of several studies no solves are written, but those of an earlier report of one study stay.
+  // A report of several studies writes no solves, but those of an earlier report of one study stay.
   const bool has_solves = report != nullptr ? !report->study.series.empty() : had_solves;
   if (has_solves && fs::is_regular_file(folder / own_files[3])) files.emplace_back(own_files[3]);
   std::ranges::sort(files);

@@ -122,7 +122,8 @@ std::unique_ptr<ChildProcess> launch(const ProgramSpec& choice, const fs::path& 
   if (choice.memory_mb > 0)
     arguments.insert(arguments.begin(),
                      {"sh", "-c", fmt::format(R"(ulimit -v {} && exec "$0" "$@")", 1000 * choice.memory_mb)});
-  const std::vector<int> pipes = relay_pipes();
+  const auto is_relay = [](const std::string& argument) { return argument.ends_with("ikbench_notebook.py"); };
+  const std::vector<int> pipes = std::ranges::any_of(choice.process, is_relay) ? relay_pipes() : std::vector<int>();
   auto child = std::make_unique<ChildProcess>(arguments, folder,
                                               std::vector<std::string>{"LC_ALL=C", "OMP_NUM_THREADS=1"}, pipes);
   if (!pipes.empty()) child->set_worker(::getppid());  // opened the pipes, and has the function

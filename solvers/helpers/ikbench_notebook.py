@@ -69,6 +69,7 @@ class _Functions:
         self._lines, self._shown, self.is_called = queue.SimpleQueue(), set(), False
         # A call of study() solves all targets of a function again: what the function uses may have changed.
         self._version = f"{time.strftime('%Y-%m-%d %H:%M:%S')} {os.urandom(4).hex()}"
+        self._process = os.getpid()
         threading.Thread(target=self._work, daemon=True).start()
 
     def take(self, line):
@@ -94,7 +95,10 @@ class _Functions:
         begun = {}  # solvers by their relay's start
         for start, text in iter(self._lines.get, None):
             with contextlib.suppress(_Abandoned):
-                self._say(start, self._answer(start, text, begun))
+                answer = self._answer(start, text, begun)
+                if os.getpid() != self._process:  # the function forked, and this is its child
+                    os._exit(0)
+                self._say(start, answer)
 
     def _answer(self, start, text, begun):
         if not text.startswith("{"):
