@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "analysis/figures/of_study.hpp"
@@ -35,15 +36,17 @@ CurveRow solved_row(const SweptValue& swept, const std::string& solver) {
   return row;
 }
 
-// Returns the median time of a solver's solves that gave an answer [ms], with its interval; NaN if the solver's times
-// are not compared in the study.
+// Returns the median time of the solves that solved their target [ms], with its interval; NaN if there are none, or if
+// the solver's times are not compared in the study. Solves that missed are left out: a solver that ends early without
+// an answer is not fast.
 CurveRow time_row(const SweptValue& swept, const std::string& solver) {
   CurveRow row{.x = swept.value, .y = nowhere};
   const std::vector<std::string> not_compared = not_compared_in_time(*swept.judged);
   if (std::ranges::count(not_compared, solver) > 0) return row;
-  std::vector<double> times = solve_times(swept.judged->study, solver);
+  std::vector<double> times;
+  for (const SolveSummary& solve : swept.judged->study.of(solver))
+    if (solve.status == results::Status::ok && std::isfinite(solve.seconds)) times.push_back(1000 * solve.seconds);
   if (times.empty()) return row;
-  for (double& value : times) value *= 1000;
   std::ranges::sort(times);
   row.y = quantile(times, 0.5);
   if (const std::optional<Interval> interval = quantile_interval(times, 0.5)) {
@@ -71,10 +74,13 @@ std::vector<Figure> of_sweep(const std::vector<SweptValue>& values, const std::s
                      .quantity = "targets solved",
                      .unit = "%",
                      .is_share = true};
-  const About time{.name = "sweep-time",
-                   .caption = fmt::format("Median time of the solves that gave an answer, at each value of {}.", key),
-                   .quantity = "time",
-                   .unit = "ms"};
+  const About time{
+      .name = "sweep-time",
+      .caption = fmt::format(
+          "Median time of the solves that solved their target, at each value of {}. No point: none did, or times are not compared.",
+          key),
+      .quantity = "time",
+      .unit = "ms"};
   std::vector<Figure> figures;
   const CurveAxis axis{.title = key, .has_bars = true, .may_be_logarithmic = true};
   for (std::optional<Figure> figure :
