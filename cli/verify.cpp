@@ -76,6 +76,48 @@ void check_seal(const std::string& seal) {
         "--seal {}: expected the {} hexadecimal digits that `ikbench export --format archive` prints", seal, digits));
 }
 
+// Verifies a study of the store, and prints what was checked. Returns the exit code: 5 if solves are missing.
+int verify_study(const Store& store, const StoredStudy& study, const VerifyArguments& arguments) {
+  const SolveVisitor redraw = target_replay_check(study);
+  const auto checked = read_checked(store, study, redraw).solves.size();
+  const std::string line = fingerprint_line(store, study), seal = seal_text(store, arguments.seal, study, line);
+  std::optional<ProgressBar> bar("repeating");
+  const RerunReport again =
+      rerun_sample(store, study, arguments.solves, [&](const Progress& progress) { bar->show(progress); });
+  bar.reset();  // clears the line of the bar for the answer
+  std::vector<std::string> unchecked{redraw
+                                         ? "whether times, traces and extras were true when they were stored"
+                                         : "whether times, targets, starts, traces and extras were true when they were "
+                                           "stored"};
+  const auto leave_out = [&](const std::vector<std::string>& labels, const char* reason) {
+    if (labels.empty()) return;
+    unchecked.push_back(fmt::format("answers and counts of {}{}", fmt::join(labels, ", "), reason));
+  };
+  if (!store.counted_answers(study.name).targets.empty()) unchecked.emplace_back("the counts of all answers");
+  if (!study.definition.check.process.empty()) unchecked.emplace_back("the results of the study's own check");
+  leave_out(again.external, " (programs and libraries)");
+  leave_out(again.changed_source, " (their source differs in this version)");
+  if (study.definition.stop.seconds > 0) leave_out({"all solves"}, ", which a time limit may end");
+  const std::string repeated =
+      again.solves == 0 ? "No solve was repeated."
+                        : fmt::format("{} of {} solves, chosen at random, were repeated: same bits, same counts.",
+                                      again.solves, again.eligible);
+  const std::string text =
+      fmt::format("{}: errors, joint motion and status of all {} follow from their answers{}. {}\n{}Not checked: {}.",
+                  study.name, base::counted(static_cast<std::int64_t>(checked), "solves"),
+                  redraw ? ", targets and starts from the seed" : "", repeated, seal, fmt::join(unchecked, "; "));
+  fmt::print("{}\n{}\n", printable(wrapped(text)), printable(line));
+  for (const std::string& label : again.changed_answers)
+    warn(
+        fmt::format("the file of {}'s answers was changed since they were solved; to judge it as it is now, run the "
+                    "study again",
+                    label));
+  const std::string lack = missing_solves_text(store, study);
+  if (lack.empty()) return 0;
+  print_message(fmt::format("{} {}", study.name, lack));
+  return 5;
+}
+
 }  // namespace
 
 void add_verify(const Command& command, Invocation& invocation) {
@@ -90,45 +132,10 @@ void add_verify(const Command& command, Invocation& invocation) {
   command.callback([arguments, &invocation] {
     check_seal(arguments->seal);
     const Store store(arguments->store, Store::Mode::read);
-    const StoredStudy study = store.study(arguments->study);
-    const SolveVisitor redraw = target_replay_check(study);
-    const auto checked = read_checked(store, study, redraw).solves.size();
-    const std::string line = fingerprint_line(store, study), seal = seal_text(store, arguments->seal, study, line);
-    std::optional<ProgressBar> bar("repeating");
-    const RerunReport again =
-        rerun_sample(store, study, arguments->solves, [&](const Progress& progress) { bar->show(progress); });
-    bar.reset();  // clears the line of the bar for the answer
-    std::vector<std::string> unchecked{
-        redraw ? "whether times, traces and extras were true when they were stored"
-               : "whether times, targets, starts, traces and extras were true when they were "
-                 "stored"};
-    const auto leave_out = [&](const std::vector<std::string>& labels, const char* reason) {
-      if (labels.empty()) return;
-      unchecked.push_back(fmt::format("answers and counts of {}{}", fmt::join(labels, ", "), reason));
-    };
-    if (!store.counted_answers(study.name).targets.empty()) unchecked.emplace_back("the counts of all answers");
-    if (!study.definition.check.process.empty()) unchecked.emplace_back("the results of the study's own check");
-    leave_out(again.external, " (programs and libraries)");
-    leave_out(again.changed_source, " (their source differs in this version)");
-    if (study.definition.stop.seconds > 0) leave_out({"all solves"}, ", which a time limit may end");
-    const std::string repeated =
-        again.solves == 0 ? "No solve was repeated."
-                          : fmt::format("{} of {} solves, chosen at random, were repeated: same bits, same counts.",
-                                        again.solves, again.eligible);
-    const std::string text =
-        fmt::format("{}: errors, joint motion and status of all {} follow from their answers{}. {}\n{}Not checked: {}.",
-                    study.name, base::counted(static_cast<std::int64_t>(checked), "solves"),
-                    redraw ? ", targets and starts from the seed" : "", repeated, seal, fmt::join(unchecked, "; "));
-    fmt::print("{}\n{}\n", printable(wrapped(text)), printable(line));
-    for (const std::string& label : again.changed_answers)
-      warn(
-          fmt::format("the file of {}'s answers was changed since they were solved; to judge it as it is now, run the "
-                      "study again",
-                      label));
-    const std::string lack = missing_solves_text(store, study);
-    if (lack.empty()) return;
-    print_message(fmt::format("{} {}", study.name, lack));
-    invocation.exit_code = 5;
+    std::vector<StoredStudy> studies = store.sweep(arguments->study);  // all studies of a sweep
+    if (studies.empty()) studies.push_back(store.study(arguments->study));
+    for (const StoredStudy& study : studies)
+      invocation.exit_code = std::max(invocation.exit_code, verify_study(store, study, *arguments));
   });
 }
 
