@@ -55,8 +55,8 @@ CountedAnswers counted_in(const std::filesystem::path& folder, const std::string
   return store.counted_answers("my");
 }
 
-const AnswerCount& count_of(const CountedAnswers& counted, const results::StoredStudy& study, const std::string& label,
-                            int point = 1) {
+AnswerCount count_of(const CountedAnswers& counted, const results::StoredStudy& study, const std::string& label,
+                     int point = 1) {
   const auto series = std::ranges::find(study.series, label, &results::Series::label);
   return *std::ranges::find_if(
       counted.counts, [&](const AnswerCount& count) { return count.series == series->key && count.point == point; });
@@ -76,7 +76,7 @@ TEST_CASE("a round pose of a UR5e has eight known answers, another a continuum",
   CHECK_FALSE(counted.targets[0].is_continuum);
   CHECK(counted.targets[1].is_continuum);
   CHECK(counted.targets[1].known == 0);
-  const AnswerCount& two = count_of(counted, store.study("my"), "two");
+  const AnswerCount two = count_of(counted, store.study("my"), "two");
   CHECK(two.given == 2);
   CHECK(two.found == 1);
   CHECK(two.doubled == 1);
@@ -108,7 +108,7 @@ TEST_CASE("a closed form that lacks a branch, has a wrong one or doubles one is 
   CHECK(counted.targets[0].restarts_rad == restarts);  // not made again
   const results::StoredStudy stored = store.study("my");
   const auto is = [&](const std::string& label, const std::array<int, 4>& numbers) {
-    const AnswerCount& count = count_of(counted, stored, label);
+    const AnswerCount count = count_of(counted, stored, label);
     CHECK(std::array{count.given, count.found, count.wrong, count.doubled} == numbers);
   };
   is("all", {8, 8, 0, 0});
