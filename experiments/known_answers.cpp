@@ -17,6 +17,7 @@
 #include "experiments/study/series_key.hpp"
 #include "experiments/task.hpp"
 #include "experiments/verifier.hpp"
+#include "results/goal_freedoms.hpp"
 #include "solvers/objective.hpp"
 
 namespace ikbench::experiments {
@@ -29,22 +30,6 @@ namespace {
 constexpr double angle_apart = 1e-3, distance_apart = 1e-6;  // [rad], [m] between different answers
 constexpr double min_singular_value = 1e-4;                  // smallest singular value [m, rad] of a regular answer
 constexpr double rounding_of_limits = 1e-9;                  // [rad, m]
-
-// Returns how many freedoms the goal of a search fixes; 0 for a search that does not search all joints.
-int freedoms_of(Search search) {
-  switch (search) {
-    case Search::pose:
-      return 6;
-    case Search::axis:
-      return 5;
-    case Search::all_joints:
-      return 3;
-    case Search::wrist:
-    case Search::flange:
-      break;
-  }
-  return 0;
-}
 
 // Targets that are known, of a study that solves them again.
 class KnownTargets final : public TargetSet {
@@ -185,7 +170,7 @@ AnswerCount count_of(const SolverAnswers& given, AnswerFinder& finder) {
 }  // namespace
 
 std::string why_not_countable(const Study& study, const Robot& arm) {
-  const int freedoms = freedoms_of(study.search);
+  const auto freedoms = static_cast<int>(goal_freedoms(study.search));
   if (freedoms == 0) return fmt::format("search = \"{}\" does not search all joints", name_of(study.search));
   if (arm.joints() > freedoms)
     return fmt::format("{} joints for {} freedoms: infinitely many answers", arm.joints(), freedoms);

@@ -8,6 +8,7 @@
 
 #include "base/json.hpp"
 #include "base/names.hpp"
+#include "results/goal_freedoms.hpp"
 
 namespace ikbench::judge {
 
@@ -17,22 +18,6 @@ using results::KnownAnswers;
 namespace {
 
 using Place = std::pair<int, int>;  // run and point
-
-// Returns how many freedoms the goal of a search fixes; 0 for a search that is not for all joints.
-std::size_t goal_freedoms(results::Search search) {
-  switch (search) {
-    case results::Search::pose:
-      return 6;
-    case results::Search::axis:
-      return 5;
-    case results::Search::all_joints:
-      return 3;
-    case results::Search::wrist:
-    case results::Search::flange:
-      break;
-  }
-  return 0;
-}
 
 // Adds the count of a target that counts.
 void add_target(AnswerSummary& summary, const AnswerCount& count, int known) {
@@ -110,7 +95,7 @@ std::string why_not_counted(const StudyResults& study) {
   if (!targets.empty()) return "";
   const auto arm = base::parsed_json(study.definition.arm);
   const std::size_t joints = arm.contains("links") ? arm["links"].size() : 0;
-  const std::size_t freedoms = goal_freedoms(study.definition.search);
+  const std::size_t freedoms = results::goal_freedoms(study.definition.search);
   if (freedoms == 0) return "All answers are not counted: the search is not for all joints.";
   if (joints == freedoms) return "";
   return fmt::format("All answers are not counted: {} joints for {} freedoms have {}.", joints, freedoms,
