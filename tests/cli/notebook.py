@@ -150,6 +150,7 @@ def stops(problem):
     return problem.start
 
 
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a job in the background begins with SIGINT ignored
 for way in ("timeout", "interrupt"):
     seeds, began = set(), time.perf_counter()
     if way == "interrupt":
