@@ -169,8 +169,8 @@ assert pathlib.Path(kept.split(" is in ")[1], "store.sqlite").exists()
 again = subprocess.run([ikbench._program(), "run", "first/store.sqlite", "--out", "again", "--start-programs"], capture_output=True, text=True)
 assert again.returncode == 1 and "call ikbench.study" in again.stderr.replace("\n  ", " "), again.stderr
 for pipes in ("", "x", "10", "0 1", "10 11", "10 11 12", "99999999999 5"):
-    again = subprocess.run([ikbench._program(), "check-solver", "--", sys.executable, "program.py"], capture_output=True, text=True,
-                           env={**os.environ, "IKBENCH_RELAY": pipes})
+    again = subprocess.run([ikbench._program(), "check-solver", "--", sys.executable, sys.argv[1] + "/ikbench_notebook.py"],
+                           capture_output=True, text=True, env={**os.environ, "IKBENCH_RELAY": pipes})
     assert again.returncode == 1 and "IKBENCH_RELAY" in again.stdout, (pipes, again)
 
 # Two studies at once do not mix, and a temporary folder goes with its result.
