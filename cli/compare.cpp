@@ -47,8 +47,13 @@ struct StudyInStore {
   results::Store store;
   results::StoredStudy entry;
 
+  // Throws std::invalid_argument for a grid of targets.
   StudyInStore(const std::string& file, const std::string& name)
-      : store(file, results::Store::Mode::read), entry(store.study(name)) {}
+      : store(file, results::Store::Mode::read), entry(store.study(name)) {
+    if (entry.definition.is_grid())
+      throw std::invalid_argument(fmt::format("{}: {}; see two maps side by side with `ikbench report A B`", entry.name,
+                                              results::grid_is_no_sample));
+  }
 
   std::vector<std::string> labels() const { return labels_of(entry); }
   bool has(const std::string& label) const { return std::ranges::count(labels(), label) > 0; }

@@ -72,6 +72,13 @@ std::string_view end_of_picture(const std::string& type) {
   return type == "pdf" ? "%%EOF" : "IEND\xAE\x42\x60\x82";
 }
 
+// Returns the types of pictures that are drawn of a figure.
+std::vector<std::string> formats_of(const Figure& figure, const FigureStyle& style) {
+  std::vector<std::string> formats = style.formats;
+  if (figure.is_dense && std::ranges::count(formats, "png") == 0) formats.emplace_back("png");
+  return formats;
+}
+
 // Draws in the folder `workshop`, then writes the pictures to the folder above. Returns the warnings of gnuplot, such
 // as those of unreadable data. Throws std::invalid_argument with the reason if nothing could be drawn, and
 // std::runtime_error if a picture was cut, as by a full disk.
@@ -82,7 +89,7 @@ std::string draw(const Figure& figure, const std::filesystem::path& workshop, co
       ChildProcess::run({gnuplot, "-d", figure.name + ".gp"}, workshop / sources, {"LC_ALL=C.UTF-8"});
   if (!result.succeeded)
     throw std::invalid_argument(result.output.empty() ? gnuplot + " failed without a message" : result.output);
-  for (const std::string& type : options.style.formats) {
+  for (const std::string& type : formats_of(figure, options.style)) {
     const std::string_view end = end_of_picture(type);
     const std::string file = figure.name + "." + type;
     std::optional<std::string> picture = read_file(workshop / file);
@@ -124,7 +131,7 @@ std::map<std::string, std::string> sources_of(const std::vector<Figure>& figures
                                                           {"COLOURS", fmt::format("{}", fmt::join(look.palette, " "))}};
   for (const auto& [name, value] : values) style.replace(style.find(name), name.size(), value);
   std::map<std::string, std::string> texts{{std::string(style_file->name), style}};
-  for (const Figure& figure : figures) texts.emplace(figure.name + ".gp", script_of(figure, look.formats));
+  for (const Figure& figure : figures) texts.emplace(figure.name + ".gp", script_of(figure, formats_of(figure, look)));
   return texts;
 }
 
@@ -173,7 +180,7 @@ std::vector<std::string> write_figures(const std::vector<Figure>& figures, const
       const Figure& figure = figures[i];
       try {
         const std::string warning = draw(figure, workshop.path(), options);
-        remove_pictures(figure, folder, options.style.formats);
+        remove_pictures(figure, folder, formats_of(figure, options.style));
         if (!warning.empty()) warnings[i] = fmt::format("{} may lack something: {}", figure.name, warning);
       } catch (const std::exception& error) {
         remove_pictures(figure, folder, {});

@@ -12,6 +12,7 @@
 #include "analysis/figures/parts.hpp"
 #include "analysis/figures/plots.hpp"
 #include "analysis/figures/rows.hpp"
+#include "base/json.hpp"
 #include "base/names.hpp"
 #include "base/number.hpp"
 
@@ -24,6 +25,7 @@ using results::TargetGrid;
 namespace {
 
 constexpr std::size_t most_panels = 24;
+constexpr std::size_t most_svg_cells = 30'000;  // of all panels; an SVG takes 110 bytes per cell
 // The sizes of the parts of the figure [cm], with text of 8 pt.
 constexpr double left_cm = 1.35, right_cm = 0.25, between_cm = 0.45, head_cm = 0.85, ticks_cm = 0.5, title_cm = 0.45;
 constexpr double bar_cm = 1.1, entry_cm = 0.36, narrow_cm = 12;
@@ -88,6 +90,7 @@ MapPanel panel_of(const JudgedStudy& judged, const std::vector<MapPlace>& places
 // The kinds of cells that the panels have, and the ends of the colours.
 struct MapKinds {
   bool are_behind = false, are_unsolved = false, are_uncounted = false;
+  bool are_left_out = false;  // places without a cell, within the dashed circle
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;  // values
 
   bool has_values() const { return largest > 0; }
@@ -119,11 +122,13 @@ std::string data_of(const std::vector<MapPanel>& panels) {
   return data;
 }
 
-// Returns the settings of the colours: cividis, from few to many. Its lightness falls evenly, also without colours.
+// Returns the settings of the colours: cividis, from few to many. Its lightness falls evenly, also without colours. On
+// a dark background its darkest quarter would not be seen.
 std::string colours_of(const MapKinds& kinds, const TargetGrid& grid) {
   std::string text =
-      "set palette defined (0 '#D9C34F', 1 '#C3B369', 2 '#A59C74', 3 '#8A8678', 4 '#707173', 5 '#575D6D', 6 '#3B496C', "
-      "7 '#123570', 8 '#00224E')\n";
+      "light_to_dark = \"0 '#D9C34F', 1 '#C3B369', 2 '#A59C74', 3 '#8A8678', 4 '#707173', 5 '#575D6D', 6 '#3B496C'\"\n"
+      "if (!dark) light_to_dark = light_to_dark . \", 7 '#123570', 8 '#00224E'\"\n"
+      "set palette defined (@light_to_dark)\n";
   if (grid.directions > 1)
     return text + fmt::format("set cbrange [1:{0}]\nset cbtics 1\ncolour(v) = v\n", grid.directions);
   if (!kinds.has_values()) return text + "colour(v) = v\n";
@@ -148,6 +153,9 @@ struct MapLayout {
 
   double below_cm(std::size_t row) const {  // the bottom of a row of panels, above the bottom of the figure
     return legend_cm + title_cm + ticks_cm + static_cast<double>(rows - 1 - row) * (panel_cm + head_cm + ticks_cm);
+  }
+  double left_cm_of(std::size_t panel) const {
+    return left_cm + static_cast<double>(panel % columns) * (panel_cm + between_cm);
   }
   double height_cm() const { return below_cm(0) + panel_cm + head_cm; }
 };
@@ -183,6 +191,7 @@ std::string legend_entry(std::size_t row, bool is_cross, std::string_view colour
 std::string legend_of(const MapKinds& kinds, bool has_directions) {
   std::string text;
   std::size_t row = 0;
+  if (kinds.are_left_out) text += legend_entry(row++, false, "paper", "certainly out of reach");
   if (kinds.are_unsolved) text += legend_entry(row++, false, "unsolved", "no solver solves it");
   if (kinds.are_uncounted) text += legend_entry(row++, false, "uncounted", "solved, evaluations not counted");
   if (kinds.are_behind)
@@ -191,7 +200,8 @@ std::string legend_of(const MapKinds& kinds, bool has_directions) {
 }
 
 double legend_cm_of(const MapKinds& kinds) {
-  const int entries = int{kinds.are_unsolved} + int{kinds.are_uncounted} + int{kinds.are_behind};
+  const int entries =
+      int{kinds.are_unsolved} + int{kinds.are_uncounted} + int{kinds.are_behind} + int{kinds.are_left_out};
   return 0.2 + entry_cm * entries + (kinds.has_values() ? bar_cm : 0);
 }
 
@@ -231,11 +241,12 @@ std::string panel_plot(std::size_t index, double half) {
          '\n';
 }
 
-// Returns the commands of one panel. `solvable` is the number of targets that any solver solves.
-std::string panel_commands(const MapPanel& panel, std::size_t index, const MapLayout& layout, std::size_t solvable) {
-  const std::size_t row = index / layout.columns, column = index % layout.columns;
-  const double left_cm_here = left_cm + static_cast<double>(column) * (layout.panel_cm + between_cm);
-  const double below_cm = layout.below_cm(row), above_cm = below_cm + layout.panel_cm;
+// Returns the commands of one panel. `counted` is the number of targets that any solver solves; of all targets if no
+// solver solves any.
+std::string panel_commands(const MapPanel& panel, std::size_t index, const MapLayout& layout, std::size_t counted) {
+  const std::size_t column = index % layout.columns;
+  const double left_cm_here = layout.left_cm_of(index), below_cm = layout.below_cm(index / layout.columns);
+  const double above_cm = below_cm + layout.panel_cm;
   return fmt::format(
       "set object circle at shoulder_x, shoulder_y size reach front fs empty border lc rgb ink lw 0.6 dt 2\n"
       "set lmargin at screen margin({})\nset rmargin at screen margin({})\nset bmargin at screen up({})\n"
@@ -243,7 +254,7 @@ std::string panel_commands(const MapPanel& panel, std::size_t index, const MapLa
       "set label 1001 {} at graph 0.5, screen up({}) center noenhanced tc rgb ink\n"
       "set label 1002 '{} of {}' at graph 0.5, screen up({}) center tc rgb ink\n",
       text_of(left_cm_here), text_of(left_cm_here + layout.panel_cm), text_of(below_cm), text_of(above_cm),
-      column == 0 ? "%g" : "", gnuplot_text(panel.label), text_of(above_cm + 0.56), panel.solved, solvable,
+      column == 0 ? "%g" : "", gnuplot_text(panel.label), text_of(above_cm + 0.56), panel.solved, counted,
       text_of(above_cm + 0.2));
 }
 
@@ -255,14 +266,25 @@ std::string axis_name(const std::vector<double>& direction, const char* otherwis
   return otherwise;
 }
 
-// Returns the settings of the axes, which are the same for all panels.
-std::string axes_of(const TargetGrid& grid, const MapLayout& layout) {
+// The part of the plane that each panel shows [m].
+struct MapRange {
+  double x, y;  // the shoulder, in the middle
+  double side;  // from the middle to each edge
+};
+
+MapRange range_of(const TargetGrid& grid) {
   const auto along = [&](const std::vector<double>& direction) {
     return std::inner_product(direction.begin(), direction.end(), grid.shoulder.begin(), 0.0);
   };
-  const double x = along(grid.across), y = along(grid.up);
-  const double side = std::max(1.04 * grid.reach, grid.reach + 0.7 * grid.step);
-  const double step = round_step_of(2 * side, std::clamp(layout.panel_cm / 0.9, 2.0, 5.0));
+  return {along(grid.across), along(grid.up), std::max(1.04 * grid.reach, grid.reach + 0.7 * grid.step)};
+}
+
+// Returns the settings of the axes, which are the same for all panels.
+std::string axes_of(const TargetGrid& grid, const MapLayout& layout) {
+  const auto [x, y, side] = range_of(grid);
+  const double ticks = std::clamp(layout.panel_cm / 0.9, 2.0, 5.0);
+  const double wide_step = round_step_of(2 * side, ticks);
+  const double step = wide_step < 0.9 * side ? wide_step : round_step_of(2 * side, 2 * ticks);  // at least two ticks
   return fmt::format(
       "shoulder_x = {0}\nshoulder_y = {1}\nreach = {2}\nset xrange [{3}:{4}]\nset yrange [{5}:{6}]\nset size ratio -1\n"
       "set xtics {7}\nset ytics {7}\nset tics scale 0.4\nset format x '%g'\nset border 15 lw 0.4\nunset grid\n"
@@ -288,6 +310,41 @@ std::size_t first_with_values(const std::vector<MapPanel>& panels) {
   const auto has_value = [](const MapCell& cell) { return cell.value > 0; };
   const auto has_values = [&](const MapPanel& panel) { return std::ranges::any_of(panel.cells, has_value); };
   return static_cast<std::size_t>(std::ranges::find_if(panels, has_values) - panels.begin());
+}
+
+// Returns the numbers by which the page says what is below the pointer: the part of the picture that each panel takes,
+// from its lower left corner, as shares of the picture's width; the part of the plane [m]; the places with their
+// targets; and the value of each place in each panel, -1 where a solved target has no value, and 0 where none is
+// solved. Returns an empty text where the style changes the size of text with the height of the picture.
+std::string pointer_of(const JudgedStudy& judged, const std::vector<MapPanel>& panels, const MapLayout& layout,
+                       const results::FigureStyle& style, double width_cm) {
+  if (style.height_cm > 0) return {};
+  const TargetGrid& grid = judged.study.definition.grid;
+  const MapRange range = range_of(grid);
+  const double scale = style.text_pt / 8 / width_cm;
+  base::Json pointer = {{"axes", {axis_name(grid.across, "across"), axis_name(grid.up, "up")}},
+                        {"low", {range.x - range.side, range.y - range.side}},
+                        {"side", 2 * range.side},
+                        {"step", grid.step},
+                        {"directions", grid.directions},
+                        {"places", base::Json::array()},
+                        {"panels", base::Json::array()}};
+  const auto rounded = [](double length) { return std::round(length * 1e5) / 1e5; };
+  for (const MapPlace& place : places_of(judged))
+    pointer["places"].push_back({rounded(place.across), rounded(place.up), judged.targets.targets[place.begin].point});
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    base::Json values = base::Json::array();
+    for (const MapCell& cell : panels[i].cells) {
+      const bool is_uncounted = cell.state == MapCell::State::solved && std::isnan(cell.value);
+      values.push_back(is_uncounted ? -1 : std::fmax(0, cell.value));
+    }
+    pointer["panels"].push_back({{"label", panels[i].label},
+                                 {"left", scale * layout.left_cm_of(i)},
+                                 {"below", scale * layout.below_cm(i / layout.columns)},
+                                 {"size", scale * layout.panel_cm},
+                                 {"values", std::move(values)}});
+  }
+  return base::text_of(pointer);
 }
 
 std::string caption_of(const JudgedStudy& judged, const MapKinds& kinds) {
@@ -337,12 +394,16 @@ std::optional<Figure> map_of(const JudgedStudy& judged, const Look& look) {
     left_out = fmt::format(" Only {} of {} solvers are drawn.", most_panels, panels.size());
     panels.resize(most_panels);
   }
-  const MapKinds kinds = kinds_of(panels);
+  MapKinds kinds = kinds_of(panels);
+  kinds.are_left_out = grid.left_out > 0;
   figure.caption = caption_of(judged, kinds) + left_out;
   figure.width_cm = map_width_cm(panels.size(), look.style);
   const double legend_cm = legend_cm_of(kinds);
   const MapLayout layout = layout_of(panels.size(), figure.width_cm, legend_cm, look.style.text_pt);
   figure.height_cm = layout.height_cm();
+  figure.sides_cm = 0;  // the panels take all of the width
+  figure.is_dense = panels.size() * panels.front().cells.size() > most_svg_cells;
+  figure.pointer = pointer_of(judged, panels, layout, look.style, figure.width_cm);
   figure.data = data_of(panels);
   figure.settings =
       "uncounted = '#56B4E9'\nunsolved = dark ? faint : '#E8E8E8'\n" + colours_of(kinds, grid) + axes_of(grid, layout);
@@ -350,8 +411,8 @@ std::optional<Figure> map_of(const JudgedStudy& judged, const Look& look) {
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const bool has_bar = i == first_with_values(panels);
     figure.plot += has_bar ? bar_of(layout, legend_cm, has_directions) : "unset colorbox\n";
-    figure.plot +=
-        panel_commands(panels[i], i, layout, solvable) + panel_plot(i, grid.step / 2) + "unset label\nunset object\n";
+    figure.plot += panel_commands(panels[i], i, layout, solvable > 0 ? solvable : judged.targets.targets.size()) +
+                   panel_plot(i, grid.step / 2) + "unset label\nunset object\n";
   }
   figure.plot += "unset multiplot";
   return figure;

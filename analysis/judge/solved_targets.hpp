@@ -32,7 +32,7 @@ struct SolvedTargets {
   std::vector<SolvedTarget> targets = {};  // in the order of runs and points; empty if the study has no tolerance
   std::vector<bool> is_solved = {};        // target by target, for each solver
   bool are_repeated = false;               // several runs have the same targets
-  bool is_complete = false;                // all solvers have the same number of solves
+  bool is_complete = false;                // all solvers have all solves of the study
 
   bool solves(std::size_t solver, std::size_t target) const { return is_solved[target * solvers.size() + solver]; }
 };

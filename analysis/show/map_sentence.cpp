@@ -40,6 +40,15 @@ std::string misses_text(const std::vector<Reached>& reached, std::size_t solvabl
   return parts.size() == 2 ? fmt::format("{}, {}", parts[0], parts[1]) : names_of(parts);
 }
 
+// Returns "LM reaches 26 poses, DLS 26 and Newton 25".
+std::string counts_text(const std::vector<Reached>& reached, const std::string& noun) {
+  std::vector<std::string> parts;
+  for (const auto& [name, count] : reached)
+    parts.push_back(parts.empty() ? fmt::format("{} reaches {} {}", name, count, noun)
+                                  : fmt::format("{} {}", name, count));
+  return names_of(parts);
+}
+
 // Returns who reaches how many of the solvable targets.
 std::string reached_text(const SolvedTargets& all, const std::vector<Reached>& reached, const std::string& noun) {
   const auto solvable = all.targets.size() - static_cast<std::size_t>(std::ranges::count(all.targets, std::size_t{0},
@@ -48,9 +57,6 @@ std::string reached_text(const SolvedTargets& all, const std::vector<Reached>& r
   if (solvable == 0 && is_alone)
     return fmt::format("{} reaches none of the {} {}", reached.front().first, all.targets.size(), noun);
   if (solvable == 0) return fmt::format("No solver reaches any of the {} {}", all.targets.size(), noun);
-  if (!all.is_complete)
-    return fmt::format("Solves are missing. Of {} {} that any solver reaches, {}", solvable, noun,
-                       misses_text(reached, solvable));
   std::vector<std::string> complete;
   for (const auto& [name, count] : reached)
     if (count == solvable) complete.push_back(name);
@@ -71,8 +77,10 @@ std::string map_sentence(const JudgedStudy& judged, const std::vector<std::strin
   const results::StudyDefinition& definition = judged.study.definition;
   const std::string noun = definition.has_direction() ? "poses" : "positions";
   const auto unsolved = std::ranges::count(all.targets, std::size_t{0}, &SolvedTarget::solvers);
-  const std::string who = reached_text(all, reached_by(all, solvers), noun);
+  const std::vector<Reached> reached = reached_by(all, solvers);
   const std::string grid = as_sentence(definition.grid_text());
+  if (!all.is_complete) return fmt::format("Solves are missing. So far, {}. {}.", counts_text(reached, noun), grid);
+  const std::string who = reached_text(all, reached, noun);
   if (unsolved == 0 || unsolved == std::ssize(all.targets)) return fmt::format("{}. {}.", who, grid);
   return fmt::format("{}. {}; {} within reach {} solved by none.", who, grid,
                      unsolved == 1 ? "one other" : fmt::format("{} others", unsolved), unsolved == 1 ? "is" : "are");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <span>
@@ -76,6 +77,10 @@ struct PageWriter {
       picture = fmt::format("<div class=\"scroll\"><img alt=\"{}\" src=\"data:image/{};base64,{}\"></div>\n", caption,
                             media, base64(*drawn));
     }
+    if (!figure.pointer.empty() && !picture.empty())
+      picture += fmt::format(
+          "<p class=\"note pointer\" hidden></p>\n<script type=\"application/json\" class=\"pointer\">{}</script>\n",
+          boost::replace_all_copy(figure.pointer, "<", "\\u003c"));  // no text ends the element
     return fmt::format("<figure id=\"figure-{}\"{}>\n{}<figcaption>{}</figcaption>\n</figure>\n",
                        anchor_id(figure.name), figure.width_cm > 12 ? " class=\"wide\"" : "", picture, caption);
   }
@@ -172,6 +177,12 @@ std::string to_html_page(const std::string& title, const std::vector<Blocks>& se
     scripts = std::string(template_named("licence.html")) + script(threejs_source()) +
               fmt::format("<script type=\"application/json\" id=\"motion-data\">{}</script>\n", *arm) +
               script(template_named("moving_arm.js"));
+  const auto has_pointer = [](const Block& block) {
+    const auto* const figure = std::get_if<figures::Figure>(&block);
+    return figure != nullptr && !figure->pointer.empty();
+  };
+  if (std::ranges::any_of(sections, [&](const Blocks& blocks) { return std::ranges::any_of(blocks, has_pointer); }))
+    scripts += script(template_named("map_pointer.js"));
   const std::span rest(sections.begin() + 1, sections.end());
   std::string text = lead_section(title, sections.front(), write, contents_of(rest),
                                   arm ? template_named("stage.html") : std::string_view());

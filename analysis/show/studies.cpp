@@ -196,6 +196,30 @@ std::string counts_text(const StudiesReport& report) {
   return fmt::format("In {}, {}", report.columns.front().model.primary().samples.quantity, fmt::join(clauses, "; "));
 }
 
+// Returns the sentences of maps, which are not tested; of many only how often each solver solves most targets.
+std::string maps_text(const StudiesReport& report) {
+  Names texts;
+  if (report.columns.size() <= max_named) {
+    for (const StudyColumn& column : report.columns)
+      texts.push_back(fmt::format("{}: {}", as_sentence(place_text(report, {column.name})), column.model.verdict));
+    return fmt::format("{}", fmt::join(texts, " "));
+  }
+  std::map<std::string, Names> best;  // studies in which no other solver solves more
+  for (const StudyColumn& column : report.columns) {
+    const JudgedMetric& primary = column.model.primary();
+    const double most = std::ranges::max(primary.descriptives, {}, &Descriptives::mean).mean;
+    for (std::size_t i = 0; i < primary.descriptives.size(); ++i)
+      if (most > 0 && primary.descriptives[i].mean == most) best[primary.samples.groups[i].name].push_back(column.name);
+  }
+  std::vector<std::pair<std::string, Names>> solvers(best.begin(), best.end());
+  std::ranges::stable_sort(solvers, std::ranges::greater(), [](const auto& each) { return each.second.size(); });
+  for (const auto& [solver, names] : solvers)
+    texts.push_back(
+        fmt::format("{}{} {}", solver, texts.empty() ? " solves the most targets" : "", place_text(report, names)));
+  if (texts.empty()) return fmt::format("No solver solves any target of the {} maps.", report.columns.size());
+  return fmt::format("{}. Several solvers can be equal.", listed(texts));
+}
+
 // Returns "The order changes: A is better than B at 1, and B is better than A at 10."; empty if no two studies decide
 // opposite differences.
 std::string reversals_text(const StudiesReport& report) {
@@ -313,6 +337,8 @@ std::vector<std::string> requirement_sentences(const StudiesReport& report) {
 }
 
 std::string headline(const StudiesReport& report) {
+  const auto has_verdict = [](const StudyColumn& column) { return !column.model.verdict.empty(); };
+  if (std::ranges::all_of(report.columns, has_verdict)) return maps_text(report);
   const std::vector<OutcomeGroup> groups = outcome_groups(report);
   const std::string counts = groups.size() > max_named ? counts_text(report) : "";
   if (!counts.empty()) return counts + '.' + reversals_text(report);

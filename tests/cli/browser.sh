@@ -45,7 +45,7 @@ probe() {
   {
     sed '/^<\/body>/,$d' "$folder/report.html"
     while [ $# -gt 0 ] && [ "$1" != -- ]; do
-      printf "<script>{ const meta = document.createElement('meta'); meta.name = 'found-%s';\nmeta.content = String((() => {\n%s\n})()); document.head.append(meta); }</script>\n" \
+      printf "<script>addEventListener('load', () => { const meta = document.createElement('meta'); meta.name = 'found-%s';\nmeta.content = String((() => {\n%s\n})()); document.head.append(meta); });</script>\n" \
         "$1" "$(sed "s/@MARK@/$mark/" "$scripts/page/$1.js")"
       shift
     done
@@ -98,6 +98,12 @@ if grep -q 'id="motion-data"' plain/report.html; then
   probe plain motion
   expect motion "2 false true true Play Pause true"
 fi
+
+# The pointer's words are those of the cell below it.
+succeeds run map --robot ur5e --set path.step_cm=10 --only LM,Newton --out map
+probe map pointer
+equal "cells with other words" "$(found pointer | sed 's/;.*//')" "0 of $(sqlite3 map/store.sqlite "SELECT count(*) FROM current_solves WHERE label = 'LM'")"
+has "$(found pointer)" "LM solves it with "
 
 # It can be printed, on few pages.
 browse own/report.html --print-to-pdf="$work/own.pdf"

@@ -17,12 +17,15 @@ succeeds report map/store.sqlite --figures none --out again
 same="$(<map/results.json)"
 has "$same" "$(python3 -c 'import json; print(json.dumps(json.load(open("again/results.json"))["headline"])[1:-1])')"
 succeeds verify map/store.sqlite
+refused "no random sample" compare map/store.sqlite map/store.sqlite
 refused "no random sample" report map/store.sqlite --require solved=95% --figures none --out again
 refused "no random sample" run map --robot ur5e "${coarse[@]}" --require solved=95% --out required
 refused "step_cm = " run map --robot ur5e --set path.step_cm=0.1 --out fine
 
 succeeds run map --robot ur5e "${coarse[@]}" --shard 1/2 --out one
 succeeds run map --robot ur5e "${coarse[@]}" --shard 2/2 --out two
+succeeds report one/store.sqlite --figures none --out one
+has "$out" "Solves are missing"
 succeeds merge one two --out both
 succeeds report both/store.sqlite --figures none --out both
 has "$out" "poses that any solver reaches"
@@ -30,6 +33,10 @@ succeeds run map/store.sqlite --no-report --out rerun
 succeeds verify rerun/store.sqlite
 succeeds export map/store.sqlite --format targets
 [ "$(wc -l <<<"$out")" -gt 20 ] || fail "too few targets"
+
+# Several maps have their sentences side by side.
+succeeds run map --sweep robot=ur5e,planar_3 --set path.step_cm=20 --only LM,DLS --figures none --out arms
+[[ $out == *"On ur5e: LM"*"On planar_3: LM"* ]] || fail "$out"
 
 # Arms that decide the goal otherwise; a solver that cannot is left out with a sentence.
 succeeds run map --robot planar_3 --set path.step_cm=20 --figures none --out planar
