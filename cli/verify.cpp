@@ -9,6 +9,7 @@
 #include "base/names.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
+#include "experiments/known_answers.hpp"
 #include "experiments/stored_checks.hpp"
 #include "results/fingerprint.hpp"
 #include "results/merge.hpp"
@@ -76,6 +77,17 @@ void check_seal(const std::string& seal) {
         "--seal {}: expected the {} hexadecimal digits that `ikbench export --format archive` prints", seal, digits));
 }
 
+// Counts all answers again, if the store has such counts. Returns false if this version cannot. Throws
+// std::invalid_argument if the store has other counts.
+bool are_counts_repeated(const Store& store, const StoredStudy& study) {
+  const CountedAnswers stored = store.counted_answers(study.name);
+  if (stored.targets.empty()) return true;
+  const std::optional<CountedAnswers> now = experiments::recounted_answers(study, store);
+  if (now && *now != stored)
+    throw std::invalid_argument("the stored counts of all answers are not those that follow from the solves");
+  return now.has_value();
+}
+
 // Verifies a study of the store, and prints what was checked. Returns the exit code: 5 if solves are missing.
 int verify_study(const Store& store, const StoredStudy& study, const VerifyArguments& arguments) {
   const SolveVisitor redraw = target_replay_check(study);
@@ -93,7 +105,7 @@ int verify_study(const Store& store, const StoredStudy& study, const VerifyArgum
     if (labels.empty()) return;
     unchecked.push_back(fmt::format("answers and counts of {}{}", fmt::join(labels, ", "), reason));
   };
-  if (!store.counted_answers(study.name).targets.empty()) unchecked.emplace_back("the counts of all answers");
+  if (!are_counts_repeated(store, study)) unchecked.emplace_back("the counts of all answers");
   if (!study.definition.check.process.empty()) unchecked.emplace_back("the results of the study's own check");
   leave_out(again.external, " (programs and libraries)");
   leave_out(again.changed_source, " (their source differs in this version)");

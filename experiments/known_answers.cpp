@@ -8,12 +8,15 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <thread>
+#include <tuple>
 #include <utility>
 
 #include "base/csv.hpp"
 #include "base/number.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/stored_checks.hpp"
+#include "experiments/study/reader.hpp"
 #include "experiments/study/series_key.hpp"
 #include "experiments/task.hpp"
 #include "experiments/verifier.hpp"
@@ -132,21 +135,26 @@ bool make_restarts(const Study& study, CountedTargets& targets, int jobs, const 
       poses.push_back(pose);
       const auto target = targets.find({run, ++point});
       by_index.push_back(target == targets.end() ? nullptr : &target->second);
-      if (by_index.back() != nullptr) by_index.back()->restarts_rad.clear();
     }
   }
+  std::vector<std::map<int, std::vector<double>>> answers(poses.size());  // by run, since several jobs end in any order
   solve_without_store(
       restarts_study(study, poses), jobs,
       [&](const SolveRecord& solve) {
-        CountedTarget* const target = by_index[static_cast<std::size_t>(solve.point - 1)];
-        if (target == nullptr || (solve.status != Status::ok && solve.status != Status::limit_violated)) return;
-        target->restarts_rad.insert(target->restarts_rad.end(), solve.answer_rad.begin(), solve.answer_rad.end());
+        if (solve.status == Status::ok || solve.status == Status::limit_violated)
+          answers[static_cast<std::size_t>(solve.point - 1)][solve.run] = solve.answer_rad;
       },
       cancelled);
+  for (std::size_t i = 0; i < by_index.size(); ++i) {
+    if (by_index[i] == nullptr) continue;
+    std::vector<double>& restarts = by_index[i]->restarts_rad;
+    restarts.clear();
+    for (const auto& [run, answer] : answers[i]) restarts.insert(restarts.end(), answer.begin(), answer.end());
+  }
   return cancelled == nullptr || !*cancelled;
 }
 
-// Counts the answers of a solver; `finder` has all known answers of the target.
+// Counts the answers of a solver, which become known to the finder.
 AnswerCount count_of(const SolverAnswers& given, AnswerFinder& finder) {
   AnswerCount count{.series = given.series, .run = given.run, .given = static_cast<int>(given.answers.size())};
   std::vector<std::size_t> found;
@@ -165,6 +173,33 @@ AnswerCount count_of(const SolverAnswers& given, AnswerFinder& finder) {
   }
   count.found = static_cast<int>(found.size());
   return count;
+}
+
+// Makes the restarts that the targets lack, and counts all answers. Returns nullopt if the request was cancelled.
+std::optional<CountedAnswers> counts_of(const Study& study, const Robot& arm, CountedTargets targets, int jobs,
+                                        const std::atomic<bool>* cancelled) {
+  CountedAnswers counted{.restarts_key = series_key(study, restarting_entry())};
+  if (!make_restarts(study, targets, jobs, cancelled)) return std::nullopt;
+  for (const auto& [place, target] : targets) {
+    if (cancelled != nullptr && *cancelled) return std::nullopt;
+    AnswerFinder finder(study, arm, target.pose);
+    for (const Configuration& answer : rows_of(target.restarts_rad, arm.joints())) {
+      const Configuration turned = finder.turned(answer);
+      if (finder.is_true(turned) && finder.is_inside(turned)) finder.add(turned);
+    }
+    for (const SolverAnswers& given : target.given) {
+      counted.counts.push_back(count_of(given, finder));
+      counted.counts.back().point = place.second;
+    }
+    counted.targets.push_back({.run = place.first,
+                               .point = place.second,
+                               .known = finder.is_continuum() ? 0 : static_cast<int>(finder.known().size()),
+                               .is_continuum = finder.is_continuum(),
+                               .restarts_rad = target.restarts_rad});
+  }
+  std::ranges::sort(counted.counts, {},
+                    [](const AnswerCount& each) { return std::tuple(each.series, each.run, each.point); });
+  return counted;
 }
 
 }  // namespace
@@ -265,31 +300,25 @@ void count_answers(const Study& study, const StoredStudy& stored, Store& store, 
     if (!earlier.targets.empty()) store.save_counted_answers(stored.name, {});  // of solvers that are gone
     return;
   }
-  CountedAnswers counted{.restarts_key = series_key(study, restarting_entry())};
-  if (earlier.restarts_key == counted.restarts_key)
+  if (earlier.restarts_key == series_key(study, restarting_entry()))
     for (KnownAnswers& known : earlier.targets)
       if (const auto target = targets.find({known.run, known.point}); target != targets.end())
         target->second.restarts_rad = std::move(known.restarts_rad);
-  if (!make_restarts(study, targets, jobs, cancelled)) return;
-  for (const auto& [place, target] : targets) {
-    if (cancelled != nullptr && *cancelled) return;
-    AnswerFinder finder(study, arm, target.pose);
-    for (const Configuration& answer : rows_of(target.restarts_rad, arm.joints())) {
-      const Configuration turned = finder.turned(answer);
-      if (finder.is_true(turned) && finder.is_inside(turned)) finder.add(turned);
-    }
-    for (const SolverAnswers& given : target.given) static_cast<void>(count_of(given, finder));  // all become known
-    for (const SolverAnswers& given : target.given) {
-      counted.counts.push_back(count_of(given, finder));
-      counted.counts.back().point = place.second;
-    }
-    counted.targets.push_back({.run = place.first,
-                               .point = place.second,
-                               .known = finder.is_continuum() ? 0 : static_cast<int>(finder.known().size()),
-                               .is_continuum = finder.is_continuum(),
-                               .restarts_rad = target.restarts_rad});
-  }
-  store.save_counted_answers(stored.name, counted);
+  if (const auto counted = counts_of(study, arm, std::move(targets), jobs, cancelled))
+    store.save_counted_answers(stored.name, *counted);
+}
+
+std::optional<CountedAnswers> recounted_answers(const StoredStudy& stored, const Store& store) {
+  Study study = study_in_store(stored);
+  const std::string restarts_key = store.counted_answers(stored.name).restarts_key;
+  const bool has_this_source = restarts_key.find(source_key(restarting_entry())) != std::string::npos;
+  if (!has_this_source || !read_stored_targets(stored, study)) return std::nullopt;
+  const Robot arm = robot_of(study);
+  const auto jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  std::optional<CountedAnswers> counted =
+      counts_of(study, arm, targets_of(study, stored, store, arm.joints()), jobs, nullptr);
+  counted->restarts_key = restarts_key;  // a study read from its store has other fields that change no answer
+  return counted;
 }
 
 void write_answers(const Store& store, const StoredStudy& stored, const base::Write& write) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,11 @@ class AnswerFinder {
 // counted, or if no solver gave several answers to a target. Restarts that the store has are not made again.
 void count_answers(const Study& study, const results::StoredStudy& stored, results::Store& store, int jobs,
                    const std::atomic<bool>* cancelled = nullptr);
+
+// Counts the answers of a stored study again, its restarts included. Returns nullopt if the restarts of this version
+// are others, or if the targets cannot be made again. Throws std::invalid_argument if the stored study cannot be read.
+std::optional<results::CountedAnswers> recounted_answers(const results::StoredStudy& stored,
+                                                         const results::Store& store);
 
 // Writes all answers of a stored study as CSV: run, point, label, number, q1 to qN [rad, m], and whether each answer is
 // within the tolerance. Throws std::invalid_argument if the stored arm cannot be read.

@@ -14,6 +14,8 @@ struct KnownAnswers {
   int known = 0;                          // different true answers inside the limits; 0 if one is singular
   bool is_continuum = false;              // a known answer is singular: there may be infinitely many
   std::vector<double> restarts_rad = {};  // [rad, m], answers of the restarts, one after another
+
+  bool operator==(const KnownAnswers&) const = default;
 };
 
 // The answers that a solver gave to a target.
@@ -24,6 +26,8 @@ struct AnswerCount {
   int found = 0;    // known answers among them
   int wrong = 0;    // farther from the target than the tolerance
   int doubled = 0;  // true, but not different from an earlier one
+
+  bool operator==(const AnswerCount&) const = default;
 };
 
 // All counts of a study.
@@ -31,6 +35,8 @@ struct CountedAnswers {
   std::string restarts_key = {};  // key of the series that the restarts would have; of other restarts, counts are old
   std::vector<KnownAnswers> targets = {};  // ordered by run and point
   std::vector<AnswerCount> counts = {};    // ordered by series, run and point
+
+  bool operator==(const CountedAnswers&) const = default;
 };
 
 }  // namespace ikbench::results

@@ -67,7 +67,10 @@ std::optional<AllAnswers> all_answers_of(const StudyResults& study) {
       ++runs;
       ++solves;
     }
-    if (is_complete.size() < known.size()) continue;  // solved by another version, or after the answers were counted
+    if (is_complete.size() < known.size()) {  // solved by another version, or after the answers were counted
+      all.left_out.push_back(series.label);
+      continue;
+    }
     if (solves > 0) {
       summary.coverage /= solves;
       summary.mean_found /= solves;

@@ -32,6 +32,7 @@ struct AllAnswers {
   double mean_known = 0;          // known answers per target that counts
   int fewest_known = 0, most_known = 0;
   std::vector<AnswerSummary> solvers = {};    // in the order of the study
+  std::vector<std::string> left_out = {};     // solvers of which some answers were not counted
   std::optional<JudgedMetric> complete = {};  // the share of complete targets; none if no target counts
 };
 

@@ -59,10 +59,11 @@ std::vector<std::string> notes_of(const AllAnswers& all, const std::string& best
   std::vector<std::string> notes;
   if (all.targets > 0)
     notes.push_back(fmt::format(
-        "A target has {} known answers on average ({} to {}): different ones{} that any solver of this study, or 100 "
+        "A target has {} known {} on average ({} to {}): different ones{} that any solver of this study, or 100 "
         "restarts of LM, found. Wrong and doubled: of answers to all {}, other columns: of the {} that count.",
-        number_text(all.mean_known), all.fewest_known, all.most_known, is_limited ? " inside the limits" : "",
-        base::counted(std::int64_t{all.targets} + all.continua, "targets"), all.targets));
+        number_text(all.mean_known), all.most_known == 1 ? "answer" : "answers", all.fewest_known, all.most_known,
+        is_limited ? " inside the limits" : "", base::counted(std::int64_t{all.targets} + all.continua, "targets"),
+        all.targets));
   if (all.continua > 0)
     notes.push_back(fmt::format(
         "{} {} not counted, because a known answer is singular: there may be infinitely many, or several that coincide.",
@@ -72,6 +73,11 @@ std::vector<std::string> notes_of(const AllAnswers& all, const std::string& best
         fmt::format("* worse than {} (p < {}{}). Brackets: {:.3g} % intervals; after coverage and answers, the range.",
                     best, number_text(all.complete->plan.significance), all.solvers.size() > 2 ? ", corrected" : "",
                     100 * (1 - all.complete->plan.significance)));
+  if (!all.left_out.empty())
+    notes.push_back(
+        fmt::format("{} {} left out: some of the answers were not counted. `ikbench run` with the store "
+                    "counts them.",
+                    names_of(all.left_out), all.left_out.size() == 1 ? "is" : "are"));
   for (const AnswerSummary& solver : all.solvers)
     if (solver.wrong_beside_right > 0)
       notes.push_back(fmt::format("{} gave {} beside right ones.", solver.solver,

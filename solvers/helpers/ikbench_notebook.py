@@ -177,7 +177,7 @@ def _entry(label, solver, number, timeout):
 
 def _study(solvers, timeout, keys):
     """The study file, and its functions by number, with their labels."""
-    if not isinstance(solvers, dict) or not solvers:
+    if not isinstance(solvers, dict) or not solvers or not all(isinstance(label, str) for label in solvers):
         raise TypeError('expected solvers by their labels, such as {"mine": mine, "LM": "levenberg_marquardt"}')
     if "jobs" in keys or "solvers" in keys:
         raise TypeError("jobs and solvers are no keys of this study: it calls one function at a time")

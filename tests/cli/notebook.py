@@ -131,7 +131,7 @@ assert shown.getvalue().count("Traceback") == 3 and "in raises" in shown.getvalu
 assert "raises, leaves, short and odd gave no answer" in str(wrong)
 
 # Nothing else is taken, and nothing is left behind.
-for solvers, keys, words in ((["LM"], {}, "by their labels"), ({}, {}, "by their labels"), ({"a": 3}, {}, "expected a function"),
+for solvers, keys, words in ((["LM"], {}, "by their labels"), ({}, {}, "by their labels"), ({3: near}, {}, "by their labels"), ({"a": 3}, {}, "expected a function"),
                              ({"a": near}, {"jobs": 2}, "one function at a time"), ({"a": near}, {"runs": object()}, "no value")):
     assert words in complaint(lambda: ikbench.study(solvers, **{**study, **keys}), TypeError), words
 for keys, words in (({"robot": "ur5x"}, "ur5x"), ({"rum": 3}, "rum"), ({"runs": 0}, "runs"), ({"robot": 'ur"\n5\x7fe'}, "ur")):

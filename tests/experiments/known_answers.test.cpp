@@ -117,6 +117,20 @@ TEST_CASE("a closed form that lacks a branch, has a wrong one or doubles one is 
   is("doubled", {9, 8, 0, 1});
 }
 
+TEST_CASE("the counts of all answers follow again from the solves, whatever the jobs", "[known]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "a.sqlite", Store::Mode::write);
+  const std::vector reached{degrees({10, 20, 30, 40, 50, 60}), degrees({45, 0, 90, 90, 90, 180})};
+  write_answers_file(folder.path / "mine.csv", {{reached[0], reached[0]}, {reached[1]}});
+  const CountedAnswers counted = counted_in(folder.path, study_text("ur5e", reached, {"mine"}), store);
+  const results::StoredStudy stored = store.study("my");
+  CHECK(recounted_answers(stored, store) == counted);
+  CountedAnswers changed = counted;
+  changed.restarts_key = "of another source";
+  store.save_counted_answers("my", changed);
+  CHECK_FALSE(recounted_answers(stored, store));
+}
+
 TEST_CASE("answers of an arm with more joints than the goal fixes are not counted", "[known]") {
   const Study of_seven =
       read("search = \"pose\"\n[[solvers]]\nsolver = \"newton\"\n[stop]\ntolerance_cm = 1\ntolerance_deg = 1\n");
