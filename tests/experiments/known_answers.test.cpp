@@ -1,6 +1,8 @@
 // All answers: what is known of a target's answers, and what solvers that give several are found to give.
 #include "experiments/known_answers.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include "tests/experiments/samples.hpp"
 
 namespace ikbench::known {
@@ -120,11 +122,17 @@ TEST_CASE("a closed form that lacks a branch, has a wrong one or doubles one is 
 TEST_CASE("the counts of all answers follow again from the solves, whatever the jobs", "[known]") {
   const ScratchFolder folder;
   Store store(folder.path / "a.sqlite", Store::Mode::write);
-  const std::vector reached{degrees({10, 20, 30, 40, 50, 60}), degrees({45, 0, 90, 90, 90, 180})};
-  write_answers_file(folder.path / "mine.csv", {{reached[0], reached[0]}, {reached[1]}});
-  const CountedAnswers counted = counted_in(folder.path, study_text("ur5e", reached, {"mine"}), store);
+  const Configuration wrong = degrees({10, 20, 30, 40, 50, 60});
+  write_answers_file(folder.path / "mine.csv", {{wrong, wrong}, {wrong}});
+  std::string text = study_text("ur5e", {}, {"mine"});
+  boost::replace_all(text, "kind = \"poses\"\nposes = [\n]", "kind = \"random\"\npoints = 2");
+  const CountedAnswers counted = counted_in(folder.path, text, store);
   const results::StoredStudy stored = store.study("my");
-  CHECK(recounted_answers(stored, store) == counted);
+  const std::optional<CountedAnswers> again = recounted_answers(stored, store);
+  REQUIRE(again);
+  CHECK(again->restarts_key == counted.restarts_key);
+  CHECK(again->targets == counted.targets);
+  CHECK(again->counts == counted.counts);
   CountedAnswers changed = counted;
   changed.restarts_key = "of another source";
   store.save_counted_answers("my", changed);
