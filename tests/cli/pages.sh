@@ -13,7 +13,7 @@ END
 chmod +x bin/ikbench
 export PATH=$work/bin:$PATH
 
-for page in README.md docs/{tutorial,which-solver,map,compare,figures,your-own-csv,many-machines}.md; do
+for page in README.md docs/{tutorial,which-solver,map,compare,for-maintainers,for-teachers,answers,figures,your-own-csv,many-machines}.md; do
   mkdir -p "$work/$page" && cd "$work/$page" || fail "$page: no folder"
   ln -s "$root"/{docs,cli,solvers} .
   block="" is_left_out="" count=0
@@ -47,8 +47,9 @@ done
 
 # README's first screen is what the program prints, but for times.
 cd "$work"
-"$program" run --robot ur5e --figures none --out screen >said 2>/dev/null
-table_of() { grep -A 8 '^ .* solved  ' "$1" | cut -c 1-48; }
+command=$(sed -n 's/^\$ ikbench \(run --robot [^#]*[^# ]\).*/\1/p' "$root/README.md")
+"$program" $command --figures none --out screen >said 2>/dev/null || fail "README's first screen: $command"
+table_of() { sed -n '/^ .* solved  /,/^\*/{/^\*/!p}' "$1" | cut -c 1-37; }
 sed -n '/^\$ ikbench run --robot/,/^```/p' "$root/README.md" >readme
 first_sentence() { tr '\n' ' ' | sed 's/\. .*//'; }
 equal "README's headline" "$(sed 1d readme | first_sentence)" "$(first_sentence <said)"
