@@ -11,13 +11,17 @@
 
 #include "analysis/figures/of_study.hpp"
 #include "analysis/papers/claims.hpp"
+#include "analysis/papers/counts.hpp"
 #include "analysis/show/phrases.hpp"
+#include "analysis/show/publish.hpp"
 #include "analysis/show/report.hpp"
+#include "analysis/show/text.hpp"
 #include "analysis/slim2023/slim2023.hpp"
 #include "base/inputs.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "cli/running.hpp"
+#include "experiments/environment.hpp"
 #include "experiments/multiverse.hpp"
 #include "experiments/study/reader.hpp"
 #include "experiments/study/series_key.hpp"
@@ -231,6 +235,55 @@ void report(const std::vector<judge::JudgedStudy>& studies, const Paper& paper, 
                   fingerprints_text(Store(store_path(folder), Store::Mode::read), studies, studies_of(paper, {}))));
 }
 
+// The counts of a paper's programs, and a sentence that says where they were made.
+struct CountsOfPrograms {
+  std::map<std::string, papers::CountsByArm> counts;
+  std::string origin;
+};
+
+// Returns the counts that were made on this machine, otherwise the shipped ones.
+CountsOfPrograms counts_of_programs(const Paper& paper, const std::filesystem::path& folder) {
+  CountsOfPrograms all{papers::stored_counts(paper), ""};
+  std::vector<std::string> shipped, here;
+  for (auto& [program, of_arms] : all.counts) {
+    const std::filesystem::path made_here = folder / (program + ".csv");
+    if (std::error_code none; !std::filesystem::exists(made_here, none)) {
+      shipped.push_back(paper.counts.programs.at(program));
+      continue;
+    }
+    const std::string text = base::text_of_file(made_here);
+    of_arms = papers::read_counts(parse_csv(text, made_here.string()), made_here.string());
+    here.push_back(made_here.string());
+  }
+  all.origin =
+      fmt::format("Solves: {}{}{}{}", shipped.empty() ? "" : "stored with ikbench, by ", fmt::join(shipped, "; "),
+                  shipped.empty() || here.empty() ? "" : "; ", fmt::join(here, "; "));
+  return all;
+}
+
+// Writes the report of a paper whose solves are stored, and prints the screen. Nothing is solved.
+void report_counts(const Paper& paper, const Arguments& arguments) {
+  const std::filesystem::path folder = output_folder(paper.name, arguments.run.out);
+  const CountsOfPrograms of = counts_of_programs(paper, folder);
+  const papers::Repeated repeated{.paper = paper, .studies = {}, .counts = of.counts};
+  const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated);
+  const std::vector<std::string> sentences = papers::counts_sentences(repeated);
+  const show::Table table = papers::counts_table(repeated);
+  base::OrderedJson json{{"headline", sentences.front()}, {"paper", paper.name}, {"arms", show::to_json(table)}};
+  show::Blocks beginning = papers::beginning(paper, sentences, table);
+  beginning.emplace_back(of.origin + '.');
+  const show::Publication publication{
+      .title = paper.name, .sections = {beginning, papers::claims_section(claims)}, .json = json};
+  const show::WrittenReport written =
+      write_with_progress(arguments.report, {}, [&](const figures::RenderOptions& options) {
+        return show::publish(publication, folder, options, experiments::program_name());
+      });
+  json["files"] = written.files;
+  if (arguments.report.is_json) return show_json(json);
+  fmt::print("{}", printable(fmt::format("{}{}Report: {}\n", papers::screen(sentences, table, claims),
+                                         show::wrapped_paragraph(of.origin, "  "), written.page.string())));
+}
+
 }  // namespace
 
 void add_reproduce(const Command& command, Invocation& invocation) {
@@ -251,10 +304,18 @@ void add_reproduce(const Command& command, Invocation& invocation) {
       "  ikbench reproduce\n"
       "  ikbench reproduce beeson2015             TRAC-IK's table of solve rates\n"
       "  ikbench reproduce haviland2023           six Levenberg-Marquardt rules\n"
+      "  ikbench reproduce ssik2026               numbers of answers of ssik and EAIK\n"
       "  ikbench reproduce --seed 2 --out out/seed-2\n"
       "  ikbench reproduce --readings 0 --jobs 2  faster, but times are not comparable");
   command.callback([arguments, &invocation, command] {
     const Paper& paper = papers::paper_named(arguments->paper);
+    if (paper.studies.empty()) {
+      for (const char* option : {"--seed", "--runs", "--readings"})
+        if (command.was_given(option))
+          throw std::invalid_argument(
+              fmt::format("{}: the solves of {} are stored; leave the option out", option, paper.name));
+      return report_counts(paper, *arguments);
+    }
     // A mistake in the style shows before hours of solving.
     static_cast<void>(apply_style({}, labels_of(load_study(paper.studies.front())), arguments->report));
     if (command.was_given("--readings") && arguments->seeds > 0 && read_dimensions(paper.name).empty())

@@ -85,6 +85,16 @@ Rates read_rates(TomlReader reader) {
   return rates;
 }
 
+AnswerCounts read_answer_counts(TomlReader reader) {
+  AnswerCounts counts;
+  reader.text("table", counts.table, "");
+  reader.text("note", counts.note, "");
+  read_texts(reader, "programs", counts.programs);
+  read_texts(reader, "reasons", counts.reasons);
+  reader.refuse_unknown_keys();
+  return counts;
+}
+
 }  // namespace
 
 const std::vector<Paper>& papers() {
@@ -116,6 +126,8 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
   read_texts(reader, "readings", paper.readings);
   if (const toml::table* const rates = reader.subtable("rates"))
     paper.rates = read_rates(reader.nested(*rates, "rates."));
+  if (const toml::table* const counts = reader.subtable("counts"))
+    paper.counts = read_answer_counts(reader.nested(*counts, "counts."));
   const std::vector<const toml::table*> claims = reader.tables("claims", 1000, "1 to 1000 tables [[claims]]");
   reader.refuse_unknown_keys();
   for (const toml::table* const entry : claims)

@@ -58,16 +58,26 @@ struct Rates {
   bool is_of_arms() const { return !rows.empty(); }
 };
 
+// A printed table of the least and the largest number of answers to the same poses, with a row per arm and a column per
+// program. The numbers of answers to each pose are stored in results/published/NAME/PROGRAM.csv (counts.hpp).
+struct AnswerCounts {
+  std::string table = {};                            // empty: none
+  std::string note = {};                             // a sentence
+  std::map<std::string, std::string> programs = {};  // stored programs, with words: "ssik 8.2.0"
+  std::map<std::string, std::string> reasons = {};   // by arm: why ours differ
+};
+
 // A paper that is repeated.
 struct Paper {
   std::string name;  // in a study's `published` and in results/published
   std::string in_short = {}, citation = {}, not_repeated = {};
-  std::vector<std::string> studies = {};             // first the paper's own; "first-part" is a companion
-  std::vector<std::string> runs = {};                // studies that take --runs
-  std::string solver = {};                           // the solver that the paper proposes
-  std::string means = {};                            // the printed table of means; empty: none
+  std::vector<std::string> studies = {};  // first the paper's own; "first-part" is a companion; none: only `counts`
+  std::vector<std::string> runs = {};     // studies that take --runs
+  std::string solver = {};                // the solver that the paper proposes
+  std::string means = {};                 // the printed table of means; empty: none
   std::map<std::string, std::string> readings = {};  // interpretations: studies of `means`, with words: "20 agents"
   Rates rates = {};
+  AnswerCounts counts = {};
   std::vector<Claim> claims = {};
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "analysis/figures/figure.hpp"
 #include "analysis/judge/judge.hpp"
+#include "analysis/papers/counts.hpp"
 #include "analysis/papers/multiverse.hpp"
 #include "analysis/papers/paper.hpp"
 #include "analysis/papers/published.hpp"
@@ -22,8 +24,9 @@ namespace ikbench::papers {
 // The results of a paper's study and of the study's companions.
 struct Repeated {
   const Paper& paper;
-  std::span<const judge::JudgedStudy> studies;  // the first is the paper's own
-  const base::CsvTable* programs = nullptr;     // robot, solver, n, solved, mean_ms; null: none
+  std::span<const judge::JudgedStudy> studies;     // the first is the paper's own
+  const base::CsvTable* programs = nullptr;        // robot, solver, n, solved, mean_ms; null: none
+  std::map<std::string, CountsByArm> counts = {};  // stored answers, by program
 
   const judge::JudgedStudy& study() const { return studies.front(); }
   // Returns the companion NAME-part; null if there is none.

@@ -276,12 +276,33 @@ JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
   return judged;
 }
 
+// The printed column is that of the program in `against`, otherwise that of the claim's program.
+JudgedClaims as_counted(const Claim& claim, const Repeated& repeated) {
+  const std::string& program = claim.solvers.front();
+  const std::vector<CountedArm> arms =
+      counted_arms(repeated, program, claim.against.empty() ? program : claim.against.front());
+  if (arms.empty()) return {};
+  JudgedClaim result{claim};
+  std::vector<Holds> here;
+  Names unanswered;
+  for (const CountedArm& arm : arms) {
+    here.push_back(arm.is_as_printed() ? Holds::holds : Holds::fails);
+    if (arm.unanswered > 0) unanswered.push_back(fmt::format("{} of {} on {}", arm.unanswered, arm.poses, arm.arm));
+  }
+  result.holds = holds_of(here);
+  result.number = fmt::format("{} of {} arms", std::ranges::count(here, Holds::holds), here.size());
+  if (!unanswered.empty())
+    result.evidence = fmt::format("Poses without an answer, left out: {}.", show::listed(unanswered));
+  return {result};
+}
+
 constexpr Rule all_rules[]{{"better", better},
                            {"ahead", ahead},
                            {"differ", differ},
                            {"at_rounding", at_rounding, false},
                            {"as_printed", as_printed, false},
-                           {"solves_most", solves_most, false}};
+                           {"solves_most", solves_most, false},
+                           {"as_counted", as_counted, false}};
 
 }  // namespace
 

@@ -61,6 +61,7 @@ struct Rule {
 // at_rounding: all errors of the claim's solver are at rounding.
 // as_printed: our share of solved targets agrees with each printed one.
 // solves_most: the share solved of the claim's solver is the largest on each arm.
+// as_counted: the least and the largest number of answers of the claim's program are the printed ones on each arm.
 std::span<const Rule> rules();
 
 // The number of pairs of solvers with each verdict.
