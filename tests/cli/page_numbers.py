@@ -1,8 +1,8 @@
-"""page_numbers.py ROOT SLIM HAVILAND FANUC: README and the pages on papers have the numbers of the reports and stores in
+"""page_numbers.py ROOT SLIM HAVILAND FANUC SSIK: README and the pages on papers have the numbers of the reports and stores in
 these folders, so none of them says other than the program, or less."""
 import csv, pathlib, re, sqlite3, sys
 
-root, slim, haviland, fanuc = map(pathlib.Path, sys.argv[1:])
+root, slim, haviland, fanuc, ssik = map(pathlib.Path, sys.argv[1:])
 lost = []
 text = lambda page: (root / page).read_text()
 table = lambda file: list(csv.DictReader((slim / "tables" / file).open(newline="")))
@@ -78,4 +78,11 @@ for study, (head, solvers) in zip(("haviland2023", "haviland2023-searches", "hav
             repeats += of_part_1 and abs(mean - float(solver[i + 1].split()[0])) <= 2.576 * (2 * (square - mean**2) / n) ** 0.5
 all_say("haviland2023", repeats, tried)
 same("docs/papers/haviland2023.md", haviland)
+
+# ssik's README: the page has the table of the program, and both pages the first sentence.
+for page in ("README.md", "docs/papers/ssik2026.md"):
+    same(page, ssik)
+head, arms = next(tables_of("docs/papers/ssik2026.md"))
+counted = csv.DictReader((ssik / "tables/answers.csv").open(newline=""))
+arms == [[row[name] or "-" for name in head] for row in counted] or lost.append("ssik2026.md: other numbers of answers")
 sys.exit("\n".join(lost) or 0)
