@@ -2,7 +2,8 @@
 # libraries.sh [ARM...] [--set KEY=VALUE...]: libraries.toml and, where its programs are installed, libraries_cpp.toml on each
 # arm, built in or a file (my_arm.urdf), by default three: after other work and once more with each call made twice in a row,
 # the second timed (-warm). Into OUT (out/libraries); then who solves and how fast (docs/which-library.md). With a name only
-# that study, once. Before it: install.sh. IKBENCH is the program, if it is not on the PATH.
+# that study, once. On a path ssik is asked for the answer nearest to the one before. Before it: install.sh. IKBENCH is the
+# program, if it is not on the PATH.
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")") arms=() code=0 out=${OUT:-out/libraries}
 while (($#)) && [[ $1 != -* ]]; do arms+=("$1") && shift; done
 ((${#arms[@]})) || arms=(franka_panda kuka_iiwa14 ur5e)
@@ -12,6 +13,7 @@ if [[ " $* " == *" name="* ]]; then
 elif compgen -G "$here/../../build/libraries/*.cpp/program" >/dev/null; then
   studies+=(libraries_cpp)
 fi
+[[ " $* " != *" start=previous "* ]] || set -- "$@" --set ssik.answers=nearest
 for arm in "${arms[@]}"; do
   for study in "${studies[@]}"; do
     for state in "${states[@]}"; do

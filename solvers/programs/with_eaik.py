@@ -2,7 +2,8 @@
 # dependencies = ["eaik==1.2.2"]
 # ///
 """EAIK: closed forms by subproblems, all its answers. Of seven joints one is locked, as its documentation does: the last
-with which it answers a pose, at its start, then at random values until an answer is inside the limits."""
+with which it answers a pose, at one of 64 values inside its limits, each an arm derived once: that nearest to its start, then
+random ones until an answer is inside the limits."""
 import eaik.pybindings.EAIK as eaik
 
 import ikbench
@@ -28,17 +29,27 @@ def prepare(robot):
     for lock in [None] if n <= 6 else reversed(range(n if n == 7 else 0)):
         derived = robot_of(arm, lock, 0.3)
         if derived.has_known_decomposition() and exact(derived, target, lock, 0.3):
-            return arm, lock, derived
+            values = [None] if lock is None else values_of(robot, lock)
+            return lock, values, [robot_of(arm, lock, value) for value in values]
     raise ikbench.Declined("no kinematic family that EAIK knows")
 
 
+def values_of(robot, lock):
+    is_endless = robot.lower[lock] is None
+    low, high = (-np.pi, np.pi) if is_endless else (robot.lower[lock], robot.upper[lock])
+    return np.linspace(low, high, 129)[1::2].tolist()
+
+
+def nearest(values, value):
+    return min(max(round((value - values[0]) / (values[1] - values[0])), 0), len(values) - 1)
+
+
 def solve(prepared, problem):
-    arm, lock, derived = prepared
+    lock, values, arms = prepared
     target = np.array(problem.matrix)
     for start in problem.starts():
-        if lock is not None:
-            derived = robot_of(arm, lock, start[lock])
-        found = exact(derived, target, lock, lock is not None and start[lock])
+        i = 0 if lock is None else nearest(values, start[lock])
+        found = exact(arms[i], target, lock, values[i])
         if lock is None or any(map(problem.inside, found)):
             return found or None
 

@@ -8,6 +8,14 @@ import ikbench
 import numpy as np
 
 
+def reader(arm, names):
+    """What tells the joints' values: from the arm's state, or one by one where joints without end have two numbers there."""
+    if any(arm.get_joint_size(name) != 1 for name in names):
+        return lambda: [arm.get_joint(name) for name in names]
+    places = [arm.get_joint_offset(name) for name in names]
+    return lambda: arm.state.q[places]
+
+
 def prepare(robot):
     robot.require()
     arm = placo.RobotWrapper(robot.file, placo.Flags.ignore_collisions)
@@ -16,14 +24,13 @@ def prepare(robot):
     task = solver.add_frame_task(robot.tip_link, np.eye(4))
     task.configure(robot.tip_link, "soft", 1.0, 1.0)
     solver.add_regularization_task(1e-8)
-    return robot, arm, solver, task
+    arm.update_kinematics()
+    return robot, arm, solver, task, reader(arm, robot.names), arm.get_T_world_frame(robot.base_link)
 
 
 def solve(prepared, problem):
-    robot, arm, solver, task = prepared
-    arm.reset()
-    arm.update_kinematics()
-    target = arm.get_T_world_frame(robot.base_link) @ problem.matrix
+    robot, arm, solver, task, joints, base = prepared
+    target = base @ problem.matrix
     task.T_world_frame = target
 
     def iterates(start):
@@ -32,7 +39,7 @@ def solve(prepared, problem):
         while True:
             arm.update_kinematics()
             off = arm.get_T_world_frame(robot.tip_link) - target
-            yield off[:3, 3], off[:3, :3].ravel() / 2**0.5, [arm.get_joint(name) for name in robot.names]
+            yield off[:3, 3], off[:3, :3].ravel() / 2**0.5, joints()
             solver.solve(True)
     return problem.descend(iterates, robot.options["steps"], RuntimeError)  # no solution of its quadratic program
 

@@ -4,10 +4,12 @@
 # ///
 """PyBullet: calculateInverseKinematics, by damped least squares, with jointDamping 1e-4 (its default is 0.5); from
 random starts until the answer, turned by whole turns, is near enough and inside the limits, which it does not know."""
+import math
+
 import pybullet as bullet
 
 import ikbench
-import numpy as np
+from quaternion import quaternion
 
 bullet.connect(bullet.DIRECT)
 
@@ -23,7 +25,7 @@ def prepare(robot):
 
 def solve(prepared, problem):
     robot, arm, joints, tip = prepared
-    aim = quaternion(np.array(problem.rotation))
+    aim = quaternion(problem.rotation)
     near = min(problem.tolerance.position, problem.tolerance.rotation) / 2
     for start in problem.starts():
         for joint, value in zip(joints, start):
@@ -34,17 +36,11 @@ def solve(prepared, problem):
         for joint, value in zip(joints, q):
             bullet.resetJointState(arm, joint, value)
         place, turn = bullet.getLinkState(arm, tip, computeForwardKinematics=True)[4:6]
-        angle = 2 * min(np.linalg.norm(aim - turn), np.linalg.norm(aim + turn))
-        if found and problem.is_near(np.subtract(place, problem.position), [angle]):
+        off = [x - aimed for x, aimed in zip(place, problem.position)]
+        angle = 2 * min(math.dist(aim, turn), math.dist(aim, [-x for x in turn]))
+        if found and problem.is_near(off, [angle]):
             return found
     return q
-
-
-def quaternion(R):  # x, y, z, w: Bar-Itzhack's eigenvector
-    K, trace = np.zeros((4, 4)), np.trace(R)
-    K[:3, :3], K[3, 3] = R + R.T - trace * np.eye(3), trace
-    K[3, :3] = K[:3, 3] = (R - R.T)[[2, 0, 1], [1, 2, 0]]
-    return np.linalg.eigh(K)[1][:, 3]
 
 
 ikbench.run("pybullet", prepare, solve, version="3.2.7", goals=["pose"], steps=15)

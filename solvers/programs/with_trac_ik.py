@@ -7,10 +7,10 @@ Its epsilon bounds each component of the twist, so it is the tolerance by the sq
 import functools
 
 import pytracik
-from trac_ik.trac_ik import quaternion_from_matrix
 
 import ikbench
 import numpy as np
+from quaternion import quaternion
 
 
 def prepare(robot):
@@ -23,10 +23,9 @@ def prepare(robot):
 
 
 def solve(solver, problem):
-    w, x, y, z = quaternion_from_matrix(np.array(problem.matrix))
     tolerance = min(problem.tolerance.position, problem.tolerance.rotation)
     found = pytracik.ik(solver(problem.budget.seconds or 0.1, tolerance), np.array(problem.start), *problem.position,
-                        x, y, z, w)
+                        *quaternion(problem.rotation))
     return found[1:] if found[0] >= 0 else None
 
 
