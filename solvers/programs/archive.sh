@@ -18,10 +18,9 @@ ask() { sqlite3 -readonly -csv "$store" "$1" | tr -d '\r'; }
   echo 'initial_deg,[]'
 } >"$out/settings.csv"
 versions="CASE label WHEN 'LM' THEN 'levenberg_marquardt'"  # by label: what answers
-while IFS=, read -r label process; do
-  program=$here/${process##* }
-  [[ $process != *with_k ]] || program=$here/with_k/src/main.rs
-  versions+=" WHEN '$label' THEN '$label $(sed -n 's/.*version"*[=:] *"\([^"]*\)".*/\1/p' "$program" | head -1)'"
+while IFS=, read -r label process; do  # its program says the version that is installed
+  said=$(cd "$here" && $process </dev/null 2>/dev/null) || { echo "archive.sh: $label's program does not start" >&2; exit 2; }
+  versions+=" WHEN '$label' THEN '$label $(sed -n 's/.*"version": *"\([^"]*\)".*/\1/p' <<<"$said" | head -1)'"
 done < <(ask "SELECT DISTINCT label, json_extract(options, '\$.process') FROM series WHERE $arms AND label <> 'LM'" | tr -d '"')
 for arm in franka_panda kuka_iiwa14 ur5e; do
   echo library,version,month,run,status,error_um,rotation_urad,motion_deg,time_us,evaluations >"$out/$arm.csv"

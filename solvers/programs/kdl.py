@@ -48,4 +48,4 @@ def solve(prepared, problem):
     return answer
 
 
-ikbench.run("pykdl", prepare, solve, version="1.5", goals=["pose"], steps=60, options={"method": ["lma", "newton"]})
+ikbench.run("pykdl", prepare, solve, version=kdl.__version__, goals=["pose"], steps=60, options={"method": ["lma", "newton"]})

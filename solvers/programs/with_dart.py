@@ -4,6 +4,8 @@
 # ///
 """DART: the inverse kinematics of a body, with its gradient descent by the Jacobian's damped pseudo-inverse; from random
 starts. Its bounds are of components, so they are the tolerance by the square root of 3."""
+from importlib.metadata import version
+
 import dartpy as dart
 
 import ikbench
@@ -35,4 +37,4 @@ def solve(prepared, problem):
             return [joint.getPosition() for joint in joints]
 
 
-ikbench.run("dart", prepare, solve, version="6.20.3", goals=["pose"], steps=200)
+ikbench.run("dart", prepare, solve, version=version("dartpy"), goals=["pose"], steps=200)

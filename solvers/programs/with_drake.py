@@ -5,6 +5,8 @@
 """Drake: InverseKinematics with constraints of the positions of three points of the tool, by the solver that it
 chooses, SNOPT, whose major iterations have a limit; from random starts. An orientation constraint bounds a cosine,
 which cannot tell 1e-5 rad. Bounds are of components, so they are the tolerance by the square root of 3."""
+from importlib.metadata import version
+
 from pydrake.multibody.inverse_kinematics import InverseKinematics
 from pydrake.multibody.parsing import Parser
 from pydrake.multibody.plant import MultibodyPlant
@@ -41,4 +43,4 @@ def solve(prepared, problem):
             return found.GetSolution(asked.q())[order]
 
 
-ikbench.run("drake", prepare, solve, version="1.58.0", goals=["pose"], steps=30)
+ikbench.run("drake", prepare, solve, version=version("drake"), goals=["pose"], steps=30)

@@ -4,6 +4,8 @@
 """EAIK: closed forms by subproblems, all its answers. Of seven joints one is locked, as its documentation does: the last
 with which it answers a pose, at one of 64 values inside its limits, each an arm derived once: that nearest to its start, then
 random ones until an answer is inside the limits."""
+from importlib.metadata import version
+
 import eaik.pybindings.EAIK as eaik
 
 import ikbench
@@ -54,4 +56,4 @@ def solve(prepared, problem):
             return found or None
 
 
-ikbench.run("eaik", prepare, solve, version="1.2.2", goals=["pose"])
+ikbench.run("eaik", prepare, solve, version=version("eaik"), goals=["pose"])

@@ -4,6 +4,8 @@
 # ///
 """frankik: the closed form of He and Liu for Franka's arms, all its answers, with the last joint locked at its start, then at
 random values until there are answers."""
+from importlib.metadata import version
+
 import frankik
 
 import ikbench
@@ -32,4 +34,4 @@ def solve(prepared, problem):
             return answers
 
 
-ikbench.run("frankik", prepare, solve, version="1.0.1", goals=["pose"])
+ikbench.run("frankik", prepare, solve, version=version("frankik"), goals=["pose"])

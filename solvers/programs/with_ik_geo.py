@@ -3,6 +3,8 @@
 # ///
 """ik-geo: closed forms by subproblems, of six joints. Its user says of which family the arm is: here that which answers
 most of ten poses rightly. All its answers."""
+from importlib.metadata import version
+
 import ik_geo
 
 import ikbench
@@ -55,4 +57,4 @@ def solve(prepared, problem):
     return answers(arm, np.array(problem.rotation) @ tool.T, problem.position) or None
 
 
-ikbench.run("ik_geo", prepare, solve, version="1.0.3", goals=["pose"])
+ikbench.run("ik_geo", prepare, solve, version=version("ik-geo"), goals=["pose"])

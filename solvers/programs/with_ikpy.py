@@ -3,6 +3,8 @@
 # ///
 """ikpy: inverse_kinematics_frame for the whole orientation, by SciPy's least squares. `tol` is of the change of the cost
 and of the joints, so it is a hundredth of the tolerance; from random starts until the answer is near enough."""
+from importlib.metadata import version
+
 import numpy as np
 from ikpy.chain import Chain
 
@@ -31,4 +33,4 @@ def solve(prepared, problem):
     return found[moving]
 
 
-ikbench.run("ikpy", prepare, solve, version="4.2.1", goals=["pose"])
+ikbench.run("ikpy", prepare, solve, version=version("ikpy"), goals=["pose"])

@@ -3,6 +3,8 @@
 # ///
 """Klampt: its Newton-Raphson solver for a fixed objective, from random starts. Its tolerance is of the largest
 component of place and rotation, so it is the tolerance by the square root of 3."""
+from importlib.metadata import version
+
 from klampt import WorldModel
 from klampt.math import so3
 from klampt.model import ik
@@ -36,4 +38,4 @@ def solve(prepared, problem):
             return [found[joint] for joint in joints]
 
 
-ikbench.run("klampt", prepare, solve, version="0.10.1", goals=["pose"], steps=15)
+ikbench.run("klampt", prepare, solve, version=version("klampt"), goals=["pose"], steps=15)

@@ -3,6 +3,8 @@
 # ///
 """mink (MuJoCo's kinematics): solve_ik with a frame task and the limits of joints, by the solver daqp, in whole steps;
 from random starts."""
+from importlib.metadata import version
+
 import mink
 import mujoco
 
@@ -34,4 +36,4 @@ def solve(prepared, problem):
     return problem.descend(iterates, steps, mink.MinkError)
 
 
-ikbench.run("mink_qp", prepare, solve, version="1.3.0", goals=["pose"], steps=15)
+ikbench.run("mink_qp", prepare, solve, version=version("mink"), goals=["pose"], steps=15)

@@ -3,6 +3,8 @@
 # ///
 """OptIK: mode "speed" with one thread, which repeats itself, until the time is up. Its objective is half the squared
 norm of the twist."""
+from importlib.metadata import version
+
 import optik
 
 import ikbench
@@ -23,4 +25,4 @@ def solve(arm, problem):
     return found[0] if found else None
 
 
-ikbench.run("optik", prepare, solve, version="0.5.0", goals=["pose"])
+ikbench.run("optik", prepare, solve, version=version("optik-py"), goals=["pose"])

@@ -3,6 +3,7 @@
 # ///
 """Pink: solve_ik with a frame task and the limits of joints, by the solver daqp, in whole steps; from random starts."""
 import warnings
+from importlib.metadata import version
 
 import pinocchio as pin
 import pink
@@ -33,4 +34,4 @@ def solve(prepared, problem):
 
 
 warnings.simplefilter("ignore")
-ikbench.run("pink_qp", prepare, solve, version="4.4.0", goals=["pose"], steps=10)
+ikbench.run("pink_qp", prepare, solve, version=version("pin-pink"), goals=["pose"], steps=10)

@@ -2,6 +2,8 @@
 # dependencies = ["placo==0.10.2"]
 # ///
 """PlaCo: a frame task and the limits of joints, solved step by step; from random starts."""
+from importlib.metadata import version
+
 import placo
 
 import ikbench
@@ -9,7 +11,8 @@ import numpy as np
 
 
 def reader(arm, names):
-    """What tells the joints' values: from the arm's state, or one by one where joints without end have two numbers there."""
+    """Returns a function that gives the joints' values: from the arm's state, or one by one if a joint without end has two
+    numbers there."""
     if any(arm.get_joint_size(name) != 1 for name in names):
         return lambda: [arm.get_joint(name) for name in names]
     places = [arm.get_joint_offset(name) for name in names]
@@ -44,4 +47,4 @@ def solve(prepared, problem):
     return problem.descend(iterates, robot.options["steps"], RuntimeError)  # no solution of its quadratic program
 
 
-ikbench.run("placo", prepare, solve, version="0.10.2", goals=["pose"], steps=15)
+ikbench.run("placo", prepare, solve, version=version("placo"), goals=["pose"], steps=15)

@@ -5,6 +5,7 @@
 """PyBullet: calculateInverseKinematics, by damped least squares, with jointDamping 1e-4 (its default is 0.5); from
 random starts until the answer, turned by whole turns, is near enough and inside the limits, which it does not know."""
 import math
+from importlib.metadata import version
 
 import pybullet as bullet
 
@@ -43,4 +44,4 @@ def solve(prepared, problem):
     return q
 
 
-ikbench.run("pybullet", prepare, solve, version="3.2.7", goals=["pose"], steps=15)
+ikbench.run("pybullet", prepare, solve, version=version("pybullet"), goals=["pose"], steps=15)

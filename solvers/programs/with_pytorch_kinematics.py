@@ -3,6 +3,8 @@
 # ///
 """pytorch-kinematics: PseudoInverseIK in double precision on one thread of the processor, from the start and nine random
 ones at once; of a batch all poses at once."""
+from importlib.metadata import version
+
 import pytorch_kinematics as pk
 import torch
 
@@ -30,5 +32,5 @@ def solve_batch(prepared, problems):
     return found.solutions[torch.arange(len(problems)), best].tolist()
 
 
-ikbench.run("pytorch_kinematics", prepare, solve_batch=solve_batch, version="0.10.0", goals=["pose"],
+ikbench.run("pytorch_kinematics", prepare, solve_batch=solve_batch, version=version("pytorch-kinematics"), goals=["pose"],
             options={"starts": (10, 1, 1000, "starts at once"), "iterations": (30, 1, 10000, "iterations")})

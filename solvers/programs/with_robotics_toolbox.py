@@ -3,6 +3,8 @@
 # ///
 """Robotics Toolbox: ik_LM, its Levenberg-Marquardt in C++ by Chan, 100 searches of 30 iterations, as it comes; again
 while time is left. Its tolerance is of half the squared norm of the twist."""
+from importlib.metadata import version
+
 import roboticstoolbox
 
 import ikbench
@@ -23,5 +25,5 @@ def solve(prepared, problem):
             return found.q
 
 
-ikbench.run("robotics_toolbox", prepare, solve, version="1.5.0", goals=["pose"],
+ikbench.run("robotics_toolbox", prepare, solve, version=version("roboticstoolbox-python"), goals=["pose"],
             options={"k": (1.0, 0, 1e3, "factor of the damping"), "method": ["chan", "wampler", "sugihara"]})

@@ -5,6 +5,8 @@
 kinematics, preferably one with the same limits, else one derived from the URDF file. It gives its first answer inside the
 limits; by the option the one nearest to the start, for paths, or all. If the prebuilt arm has other limits, it finds all and
 gives the first or nearest inside those of the study."""
+from importlib.metadata import version
+
 import ssik
 
 import ikbench
@@ -47,5 +49,5 @@ def solve(prepared, problem):
     return next((each.q for each in found if has_limits or problem.inside(each.q)), None)
 
 
-ikbench.run("ssik", prepare, solve, version="8.2.0", goals=["pose"],
+ikbench.run("ssik", prepare, solve, version=version("ssik"), goals=["pose"],
             options={"answers": ["first", "nearest", "all"]})

@@ -5,6 +5,7 @@
 
 Its epsilon bounds each component of the twist, so it is the tolerance by the square root of 3."""
 import functools
+from importlib.metadata import version
 
 import pytracik
 
@@ -29,4 +30,4 @@ def solve(solver, problem):
     return found[1:] if found[0] >= 0 else None
 
 
-ikbench.run("trac_ik", prepare, solve, version="pytracik 0.0.3", goals=["pose"])
+ikbench.run("trac_ik", prepare, solve, version="pytracik " + version("pytracik"), goals=["pose"])

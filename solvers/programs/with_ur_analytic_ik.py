@@ -3,6 +3,8 @@
 # dependencies = ["ur-analytic-ik==0.1.0.post3"]
 # ///
 """ur-analytic-ik: the closed form of Universal Robots' arms, all its answers. Its base may be turned by half a turn."""
+from importlib.metadata import version
+
 import ur_analytic_ik
 
 import ikbench
@@ -26,4 +28,4 @@ def solve(prepared, problem):
     return arm.inverse_kinematics(base @ np.array(problem.matrix) @ tool) or None
 
 
-ikbench.run("ur_analytic_ik", prepare, solve, version="0.1.0", goals=["pose"])
+ikbench.run("ur_analytic_ik", prepare, solve, version=version("ur-analytic-ik"), goals=["pose"])

@@ -4,6 +4,12 @@ use k::{InverseKinematicsSolver, JacobianIkSolver, SerialChain};
 use serde_json::{json, Value};
 use std::{io, io::BufRead, time::Instant};
 
+// Returns the version of k, from what Cargo locked.
+fn version() -> &'static str {
+    let lock = include_str!("../Cargo.lock");
+    lock.split("name = \"k\"\nversion = \"").nth(1).and_then(|rest| rest.split('"').next()).unwrap_or("")
+}
+
 fn numbers(list: &Value) -> Vec<f64> {
     list.as_array().map_or(vec![], |all| all.iter().map(|x| x.as_f64().unwrap_or(0.0)).collect())
 }
@@ -51,7 +57,7 @@ fn solve(arm: &Arm, problem: &Value) -> Vec<f64> {
 }
 
 fn main() {
-    println!("{}", json!({"message": "hello", "ikbench": 2, "name": "k", "version": "0.32.0", "goals": ["pose"], "options": [
+    println!("{}", json!({"message": "hello", "ikbench": 2, "name": "k", "version": version(), "goals": ["pose"], "options": [
         {"name": "steps", "type": "integer", "default": 60, "low": 1, "high": 100000, "meaning": "steps before the next start"}]}));
     let mut arm = Err(String::new());
     for line in io::stdin().lock().lines() {
