@@ -23,7 +23,7 @@ succeeds run mine.toml --out here --beside there/store.sqlite --figures none
 has "$out" "DLS (there)"
 refused "seed is 1 and 2" run mine.toml --set seed=2 --beside there/store.sqlite
 
-# Who solves, and who answers otherwise when asked again.
+# Who solves, whose program fails, and who answers otherwise when asked again.
 sqlite3 store.sqlite <<'END'
 CREATE TABLE said (robot, label, run, status, once, again);
 INSERT INTO said VALUES
@@ -31,12 +31,18 @@ INSERT INTO said VALUES
   ('ur5e', 'A', 2, 'tolerance_missed', '[1]', '[2]'),
   ('ur5e', 'B', 1, 'ok', '[1]', '[2]'),
   ('ur5e', 'B', 2, 'ok', '[1]', '[1]'),
+  ('ur5e', 'C', 1, 'crashed', '[1]', '[1]'),
   ('puma560', 'A', 1, 'declined', '[1]', '[1]'),
   ('puma560', 'B', 1, 'ok', '[1]', '[1]'),
   ('ur5e', 'nothing', 1, 'ok', '[1]', '[1]');
 CREATE VIEW current_solves AS
-  SELECT 'libraries-' || robot AS study, *, 1 AS point, once AS answer_rad FROM said
-  UNION SELECT 'libraries-' || robot || '-warm', *, 1, again FROM said;
+  SELECT 'libraries-' || robot AS study, *, 1 AS point, once AS answer_rad, run / 1e3 AS seconds, 1 AS wall_seconds,
+    1 AS cpu_seconds FROM said
+  UNION SELECT 'libraries-' || robot || '-warm', *, 1, again, run / 1e3, 1, 1 FROM said;
 END
-equal "who solves" "$(sqlite3 store.sqlite <"$root/solvers/programs/who.sql" | paste -sd' ')" "B|||2|2, 2|2/2 A|||1|1, 1|0/1"
+equal "who solves" "$(sqlite3 store.sqlite <"$root/solvers/programs/who.sql" | paste -sd' ')" \
+  "B|||2|2, 2|2/2 A|||1|1, 1|0/1 C|||0 (1 failed)|0, 0|0/1"
 equal "who answers otherwise" "$(sqlite3 store.sqlite <"$root/solvers/programs/again.sql")" "libraries-ur5e|B|1|2"
+equal "who solves an arm of a file" \
+  "$(sqlite3 -cmd ".parameter set :arm ur5e" store.sqlite <"$root/solvers/programs/arm.sql" | paste -sd' ')" \
+  "B|2 of 2|2|2 (2)|2 A|1 of 2|1|2 (2)|2 C|0 (1 failed) of 1|0 (1 failed)|-|-"
