@@ -37,4 +37,4 @@ def solve(prepared, problem):
             return [joint.getPosition() for joint in joints]
 
 
-ikbench.run("dart", prepare, solve, version=version("dartpy"), goals=["pose"], steps=200)
+ikbench.run("dart", prepare, solve, version=version("dartpy"), goals=["pose"], steps=400)

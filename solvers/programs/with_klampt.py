@@ -38,4 +38,4 @@ def solve(prepared, problem):
             return [found[joint] for joint in joints]
 
 
-ikbench.run("klampt", prepare, solve, version=version("klampt"), goals=["pose"], steps=15)
+ikbench.run("klampt", prepare, solve, version=version("klampt"), goals=["pose"], steps=30)

@@ -44,4 +44,4 @@ def solve(prepared, problem):
     return q
 
 
-ikbench.run("pybullet", prepare, solve, version=version("pybullet"), goals=["pose"], steps=15)
+ikbench.run("pybullet", prepare, solve, version=version("pybullet"), goals=["pose"], steps=60)

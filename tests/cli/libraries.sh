@@ -46,3 +46,21 @@ equal "who answers otherwise" "$(sqlite3 store.sqlite <"$root/solvers/programs/a
 equal "who solves an arm of a file" \
   "$(sqlite3 -cmd ".parameter set :arm ur5e" store.sqlite <"$root/solvers/programs/arm.sql" | paste -sd' ')" \
   "B|2 of 2|2|2 (2)|2 A|1 of 2|1|2 (2)|2 C|0 (1 failed) of 1|0 (1 failed)|-|-"
+
+# After how many steps to begin again: fewer solved with one seed are chance, with both they are not; a pose of the circle is not
+# lost; times count if they differ with both seeds.
+sqlite3 tries.sqlite <<'END'
+CREATE TABLE current_solves (study, label, status, seconds, wall_seconds, cpu_seconds);
+CREATE TABLE tries (label, study, solved, seconds);
+INSERT INTO tries VALUES
+  ('A steps=1', 's-2', 3, 1), ('A steps=1', 's-3', 2, 1), ('A steps=1', 'circle', 3, 1),
+  ('A steps=2', 's-2', 2, 2), ('A steps=2', 's-3', 4, 2), ('A steps=2', 'circle', 4, 2),
+  ('A steps=3', 's-2', 4, 2), ('A steps=3', 's-3', 4, 2.2), ('A steps=3', 'circle', 4, 2),
+  ('A steps=4', 's-2', 4, 2.2), ('A steps=4', 's-3', 4, 1.9), ('A steps=4', 'circle', 4, 2),
+  ('A steps=5', 's-2', 4, 3), ('A steps=5', 's-3', 4, 3), ('A steps=5', 'circle', 4, 3),
+  ('A steps=6', 's-2', 4, 1), ('A steps=6', 's-3', 4, 1), ('A steps=6', 'circle', 3, 1);
+INSERT INTO current_solves SELECT study, label, iif(value < solved, 'ok', 'tolerance_missed'), seconds, 9, 9
+  FROM tries, (SELECT 0 AS value UNION SELECT 1 UNION SELECT 2 UNION SELECT 3);
+END
+equal "how many steps" "$(sqlite3 tries.sqlite <"$root/solvers/programs/restarts.sql" | cut -d'|' -f1,2,5 | paste -sd' ')" \
+  "A steps=1|5 of 8|worse A steps=2|6 of 8|chosen A steps=3|8 of 8|as good A steps=4|8 of 8|as good A steps=5|8 of 8|worse A steps=6|8 of 8|worse"
