@@ -7,7 +7,7 @@ set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")") store=${1:-out/libraries/store.sqlite} end=${2-warm}
 out=$here/../../results/published/libraries
 names=$(printf ", 'libraries-%s${end:+-$end}'" franka_panda kuka_iiwa14 ur5e)
-arms="study IN (${names:2}) AND label NOT IN ('nothing', 'KDL (Newton)')"
+arms="study IN (${names:2}) AND label NOT IN ('nothing', 'KDL (Newton), one start')"
 ask() { sqlite3 -readonly -csv "$store" "$1" | tr -d '\r'; }
 {
   echo key,value

@@ -1,12 +1,13 @@
 -- How fast: of each library, on three arms, the median time of its answers, solved or not, [ms] (-: it declines the arm, or its
 -- program fails): of second calls, and in brackets the time within which 95 % of them came; of first ones. Of one study file
--- (libraries, libraries-cpp), which libraries.sh gives. The time of a program is its own word; of a built-in solver the processor time of
--- its thread.
+-- (libraries, libraries-cpp), which libraries.sh gives. The time of a program is its own word; of a built-in solver the
+-- processor time of its thread. LM stands beside programs in C++ only.
 WITH placed AS (
   SELECT robot, label, state, ms, percent_rank() OVER (PARTITION BY robot, label, state ORDER BY ms) AS place FROM (
     SELECT s.robot, label, json_extract(definition, '$.state') AS state, 1000 * iif(seconds <> wall_seconds, seconds, cpu_seconds) AS ms
     FROM current_solves AS s JOIN studies ON studies.name = s.study
-    AND studies.name LIKE :study || '-' || s.robot || '%' WHERE status NOT IN ('declined', 'crashed', 'protocol_error'))),
+    AND studies.name LIKE :study || '-' || s.robot || '%' WHERE status NOT IN ('declined', 'crashed', 'protocol_error')
+      AND NOT (:study = 'libraries' AND label = 'LM'))),
 cells AS (
   SELECT robot || ' ' || state AS called, label, min(iif(place >= 0.5, ms, NULL)) AS half, printf(iif(state = 'warm', '%.2g (%.2g)', '%.2g'),
     min(iif(place >= 0.5, ms, NULL)), min(iif(place >= 0.95, ms, NULL))) AS cell
