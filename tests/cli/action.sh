@@ -133,4 +133,22 @@ for odd in GITHUB_SERVER_URL=file:///tmp GITHUB_SERVER_URL=https://github.com/..
   has "$(<.err)" "gate: ${odd%%=*} is "
 done
 [ ! -e evil ] || fail "an input is a command"
-! is_here shellcheck || shellcheck "$root"/cli/install_action.sh "$root"/packaging/action_packages.sh || fail "shellcheck"
+
+# Packages go to the release of their own tag alone; a tag that moves, as v2, has none.
+cat >bin/gh <<'GH'
+#!/usr/bin/env bash
+echo "$*" >>"$CALLS"
+[[ "$1 $2" != "release create" ]] || cat >"$CALLS.notes"
+[[ "$1 $2" != "release view" ]]
+GH
+chmod +x bin/gh
+export CALLS=$work/gh
+attach() { GITHUB_REF_NAME=$1 "$root/packaging/attach.sh" "${@:2}" >.out 2>.err; }
+attach "v${version%%.*}" a.deb || fail "a tag that moves fails: $(<.err)"
+! attach v1.9.0 a.deb || fail "another version is attached"
+! attach "v$version" || fail "no package is attached"
+[ ! -e gh ] || fail "gh is asked: $(<gh)"
+attach "v$version" a.deb b.whl || fail "cannot attach: $(<.err)"
+equal "calls of gh" "$(paste -sd ';' gh)" "release view v$version;release create v$version --verify-tag --draft --title ikbench $version --notes-file -;release upload v$version a.deb b.whl --clobber"
+has "$(head -n 5 gh.notes)" '###'
+has_no "$(<gh.notes)" '# Changelog'

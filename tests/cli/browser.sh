@@ -40,7 +40,7 @@ browse() {
 # probe FOLDER SCRIPTS -- OPTIONS...: opens a copy of its page with one more script. Each of the SCRIPTS is the body of a
 # function; `expect NAME WORDS` checks what it returned.
 probe() {
-  local folder=$1 name
+  local folder=$1
   shift
   {
     sed '/^<\/body>/,$d' "$folder/report.html"

@@ -14,7 +14,7 @@ entries=()
 add() {
   [ "$(wc -l <"$1")" -lt 50 ] || fail "$1 has 50 lines or more"
   entries+=("$(printf '[[solvers]]\nlabel = "%s"\nprocess = [%s]\n' "$1" "$2")")
-  succeeds check-solver --timeout 20 -- ${*:3}
+  succeeds check-solver --timeout 20 -- "${@:3}"
 }
 add pso.py '"python3", "pso.py"' python3 pso.py
 add descent.py '"python3", "descent.py"' python3 descent.py

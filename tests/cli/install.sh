@@ -30,7 +30,7 @@ if can dpkg-shlibdeps file; then
     "$(dirname "$cmake")/cpack" --config "$(dirname "$program")/CPackConfig.cmake" -B "$work/$folder" >.log 2>&1 || fail "no package: $(<.log)"
   done
   equal "packages made again" "$(cd again && sha256sum ikbench*)" "$(cd package && sha256sum ikbench*)"
-  equal "packages of the version" "$(ls package | grep -c "^ikbench[-_]$version[-_].*\(deb\|tar.gz\|whl\)$")" 3
+  equal "packages of the version" "$(compgen -G "package/ikbench[-_]${version}[-_]*" | grep -c "\(deb\|tar.gz\|whl\)$")" 3
   dpkg-deb -x package/ikbench_*.deb unpacked
   tar -xzf package/ikbench-*.tar.gz
   for each in libfmt libnlopt liborocos-kdl libsqlite3; do

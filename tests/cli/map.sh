@@ -2,7 +2,7 @@
 # A map: the study of a grid, its sentence, its figure, and no test anywhere; shards, merge, verify and a run of the store.
 source "$(dirname "$0")/common.sh"
 
-coarse=(--set path.step_cm=20 --only LM,DLS,Newton)
+coarse=(--set path.step_cm=20 --only "LM,DLS,Newton")
 succeeds run map --robot ur5e "${coarse[@]}" --out map
 screen=$out
 has "$screen" "poses that any solver reaches"

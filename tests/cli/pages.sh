@@ -46,7 +46,7 @@ for page in README.md docs/{tutorial,which-solver,map,compare,for-maintainers,fo
 done
 
 # README's first screen is what the program prints, but for times.
-cd "$work"
+cd "$work" || exit
 command=$(sed -n 's/^\$ ikbench \(run --robot [^#]*[^# ]\).*/\1/p' "$root/README.md")
 "$program" $command --figures none --out screen >said 2>/dev/null || fail "README's first screen: $command"
 table_of() { sed -n '/^ .* solved  /,/^\*/{/^\*/!p}' "$1" | cut -c 1-37; }

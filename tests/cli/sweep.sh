@@ -2,7 +2,7 @@
 # A sweep over keys of a study: one store, one table, and the same report from the store.
 source "$(dirname "$0")/common.sh"
 
-sweep=(run --only LM,PSO --set runs=12 --set rounds=1 --set stop.evaluations=500 --figures none)
+sweep=(run --only "LM,PSO" --set runs=12 --set rounds=1 --set stop.evaluations=500 --figures none)
 studies() { sqlite3 -readonly "$1" 'SELECT group_concat(name, "; ") FROM (SELECT name FROM studies ORDER BY position)'; }
 
 # By arms: the report of the store is that of the run.
