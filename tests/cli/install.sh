@@ -55,7 +55,7 @@ assert "verdict" in ikbench.results("made")[0] and ikbench.results("made", "grou
     mkdir wheel
     cells
     if [ -n "${IKBENCH_ALL:-}" ]; then
-      venv/bin/pip install -q pandas >.log 2>&1 || fail "no pandas: $(<.log)"
+      venv/bin/pip install -q --only-binary :all: --require-hashes -r "$scripts/pandas.txt" >.log 2>&1 || fail "no pandas: $(<.log)"
       cells
       (cd wheel && ../venv/bin/python "$scripts/notebook.py" "$(echo "$work"/venv/lib/python3*/site-packages)" >../.out 2>&1) || fail "with pandas: $(<.out)"
       has "$(<.out)" "pandas "
