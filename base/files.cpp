@@ -14,6 +14,7 @@
 #include <set>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "base/inputs.hpp"
 
@@ -129,27 +130,36 @@ void write_through(const fs::path& file, const Contents& contents) {
   write_whole(is_there ? fs::canonical(file, none) : file, contents, true);
 }
 
-std::optional<std::string> read_file(const fs::path& file, std::uintmax_t enough) {
+bool read_in_parts(const fs::path& file, const std::function<bool(std::string_view)>& take) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   // Any other error means that no such file exists.
   if (error == std::errc::io_error) refuse_place("read", file, error.value());
-  if (!fs::is_regular_file(status)) return std::nullopt;
+  if (!fs::is_regular_file(status)) return false;
   const int descriptor =
       ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // O_NONBLOCK: some files, as /proc/kmsg, wait for news
   if (descriptor < 0) refuse_place("read", file, errno);
-  std::string text;
-  if (const std::uintmax_t all = fs::file_size(file, error); !error) text.reserve(std::min(all, enough));
   std::array<char, 1 << 13> part;
   ssize_t size = 0;
   do {
     size = ::read(descriptor, part.data(), part.size());
-    text.append(part.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
     error = last_error();
-  } while (text.size() <= enough && (size > 0 || (size < 0 && error == std::errc::interrupted)));
+  } while (size < 0 ? error == std::errc::interrupted
+                    : size > 0 && take({part.data(), static_cast<std::size_t>(size)}));
   ::close(descriptor);
   if (size < 0) refuse_place("read", file, error.value());
-  return text;
+  return true;
+}
+
+std::optional<std::string> read_file(const fs::path& file, std::uintmax_t enough) {
+  std::string text;
+  std::error_code error;
+  if (const std::uintmax_t all = fs::file_size(file, error); !error) text.reserve(std::min(all, enough));
+  const bool is_there = read_in_parts(file, [&](std::string_view part) {
+    text += part;
+    return text.size() <= enough;
+  });
+  return is_there ? std::optional(std::move(text)) : std::nullopt;
 }
 
 TemporaryFolder::TemporaryFolder(const fs::path& parent, const fs::path& result) {

@@ -25,10 +25,12 @@ void write_through(const std::filesystem::path& file, const Contents& contents);
 // Throws that a place cannot be written or read: std::invalid_argument for a mistake of the user, such as a place that
 // is not theirs; std::runtime_error otherwise, such as for a full disk or a limit. `error` is an errno.
 [[noreturn]] void refuse_place(std::string_view verb, const std::filesystem::path& place, int error);
+// Passes the bytes of a regular file, also behind a link, one part after another until `take` returns false, so that a
+// large file needs little memory. Returns false if there is no such file. Throws as refuse_place if it cannot be read.
+bool read_in_parts(const std::filesystem::path& file, const std::function<bool(std::string_view)>& take);
 // Reads a regular file, also behind a link, until it has more than `enough` bytes. Returns nothing if there is no such
 // file. Throws as refuse_place if the file cannot be read. A file that the user names is read by base/inputs.hpp.
 std::optional<std::string> read_file(const std::filesystem::path& file, std::uintmax_t enough = UINTMAX_MAX);
-
 // A new folder .ikbench-XXXXXX inside another, for unfinished work. The destructor removes it. A folder that a killed
 // process left a day ago is removed when the next one is made. No link or file of others is in it.
 class TemporaryFolder {

@@ -35,7 +35,12 @@ std::string write_archive(const std::filesystem::path& store, const std::filesys
     seal = seal_of(archive);
     archive.add_to_session(session, {{std::string(seal_fact), seal}});
   }
-  write_through(file, [&](const Write& write) { write(read_file(merged).value()); });
+  write_through(file, [&](const Write& write) {
+    base::read_in_parts(merged, [&](std::string_view part) {
+      write(part);
+      return true;
+    });
+  });
   return seal;
 }
 

@@ -66,6 +66,14 @@ void complete_svg(std::string& svg, const Figure& figure) {
   boost::replace_all(svg, "]]>", "]]&gt;");  // gnuplot writes the > of a label, and XML forbids ]]> in a text
 }
 
+// Blanks out the date at which Cairo made a PDF, so that equal reports have equal bytes. The blanks keep the places
+// that the PDF's own table names. Cairo 1.18 packs the date, which then stays.
+void remove_date(std::string& pdf) {
+  const std::size_t begin = pdf.rfind("/CreationDate (D:"), end = pdf.find(')', begin);
+  if (begin == std::string::npos || end == std::string::npos) return;
+  std::fill(pdf.begin() + static_cast<long>(begin), pdf.begin() + static_cast<long>(end) + 1, ' ');
+}
+
 // Returns the last bytes of a complete picture of this type.
 std::string_view end_of_picture(const std::string& type) {
   if (type == "svg") return "</svg>";
@@ -84,9 +92,10 @@ std::vector<std::string> formats_of(const Figure& figure, const FigureStyle& sty
 // std::runtime_error if a picture was cut, as by a full disk.
 std::string draw(const Figure& figure, const std::filesystem::path& workshop, const RenderOptions& options) {
   const std::string& gnuplot = options.gnuplot;
-  // With -d the settings of ~/.gnuplot change nothing. Without a locale of UTF-8 gnuplot 6 warns.
+  // With -d the settings of ~/.gnuplot change nothing. Without a locale of UTF-8 gnuplot 6 warns. A date in a PDF is as
+  // long in one time zone as in another only if all have the same.
   const ChildProcess::Ran result =
-      ChildProcess::run({gnuplot, "-d", figure.name + ".gp"}, workshop / sources, {"LC_ALL=C.UTF-8"});
+      ChildProcess::run({gnuplot, "-d", figure.name + ".gp"}, workshop / sources, {"LC_ALL=C.UTF-8", "TZ=UTC0"});
   if (!result.succeeded)
     throw std::invalid_argument(result.output.empty() ? gnuplot + " failed without a message" : result.output);
   for (const std::string& type : formats_of(figure, options.style)) {
@@ -98,6 +107,7 @@ std::string draw(const Figure& figure, const std::filesystem::path& workshop, co
       throw std::runtime_error(fmt::format("{} wrote only a part of '{}'; if the disk is full, make room", gnuplot,
                                            (workshop.parent_path() / file).string()));
     if (type == "svg") complete_svg(*picture, figure);
+    if (type == "pdf") remove_date(*picture);
     write_file(workshop.parent_path() / file, *picture);
   }
   return result.output.find("warning:") == std::string::npos ? "" : result.output;

@@ -39,13 +39,25 @@ bool may_be_of_report(const fs::path& file) {
          std::ranges::count(types_of_files, file.extension().string()) > 0;
 }
 
+constexpr std::uintmax_t max_results_bytes = 200'000'000;  // twice what the report of 400 solvers has
+
+// Returns true if the text begins as results.json does, whose first key is the headline, or the files of a report that
+// was killed.
+bool begins_as_ours(std::string_view text) {
+  const std::size_t key = std::min(text.find_first_not_of("{ \n"), text.size());
+  return text.starts_with('{') &&
+         (text.substr(key).starts_with("\"headline\"") || text.substr(key).starts_with("\"files\""));
+}
+
 // Returns the results.json of a folder, or an empty object if there is none of ikbench. A symbolic link is not
-// followed, because the link may lead to the results.json of another folder.
+// followed, because the link may lead to the results.json of another folder. The rest of a large file of others is not
+// read.
 Json earlier_results(const fs::path& folder) {
   std::error_code none;
   const fs::path file = folder / own_files[2];
-  const auto text = fs::is_symlink(file, none) ? std::nullopt : base::read_file(file);
-  const Json json = text ? base::parsed_ordered_json(*text) : Json();
+  if (fs::is_symlink(file, none) || fs::file_size(file, none) > max_results_bytes) return Json::object();
+  if (!begins_as_ours(base::read_file(file, 100).value_or(""))) return Json::object();
+  const Json json = base::parsed_ordered_json(base::read_file(file).value_or(""));
   const bool is_ours = json.is_object() && (json.contains("headline") || (json.size() == 1 && json.contains("files")));
   return is_ours ? json : Json::object();
 }

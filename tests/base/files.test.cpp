@@ -91,6 +91,25 @@ TEST_CASE("what the contents throw is told as it is, not as a failure to write",
   CHECK(fs::is_empty(folder.path));
 }
 
+TEST_CASE("a file is read in parts, and one that is no file is not", "[files]") {
+  const ScratchFolder folder;
+  std::string text;
+  for (int i = 0; i < 5000; ++i) text += std::to_string(i);
+  write_file(folder.path / "long", text);
+  std::string parts;
+  std::size_t largest = 0;
+  read_in_parts(folder.path / "long", [&](std::string_view part) {
+    parts += part;
+    largest = std::max(largest, part.size());
+    return true;
+  });
+  CHECK(parts == text);
+  CHECK(largest < text.size());
+  CHECK(read_file(folder.path / "long", 100)->size() < text.size());
+  for (const fs::path& none : {folder.path, folder.path / "none"})
+    CHECK_FALSE(read_in_parts(none, [](std::string_view) { return true; }));
+}
+
 TEST_CASE("a scratch folder that cannot be made is reported with its place", "[files]") {
   const ScratchFolder folder;
   write_file(folder.path / "file", "no folder");

@@ -226,6 +226,9 @@ TEST_CASE("only files that a report has written are replaced or removed", "[show
   write_text(out / "results.json", R"({"experiment": 7, )" + list.substr(1));  // somebody else's
   CHECK_THROWS_AS(write_report(make_report(), out, {.only = {"none"}}), std::invalid_argument);
   write_text(out / "results.json", list);
+  fs::resize_file(out / "results.json", 200'000'001);  // too large to be read
+  CHECK_THROWS_WITH(reserve_files(out, {"report.md"}), ContainsSubstring("results.json"));
+  write_text(out / "results.json", list);
   write_report(make_report(), out, {.only = {"none"}});
   CHECK_FALSE(fs::exists(out / "tables" / "table-8.csv"));
   for (const char* file : {"tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious.csv"})
