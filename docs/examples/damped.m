@@ -1,4 +1,5 @@
-% Damped least squares for ikbench in Octave, with kinematics of its own; positions of arms whose joints turn.
+% A solver for ikbench in Octave: damped least squares, with its own kinematics. It solves for positions, on arms whose
+% joints are revolute. The line of its entry in a study:
 % process = ["octave-cli", "--quiet", "damped.m"]
 1;
 

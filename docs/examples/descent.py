@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Cyclic coordinate descent for ikbench, with kinematics of its own; positions of arms whose joints turn."""
+"""A solver with its own kinematics: cyclic coordinate descent. It solves for positions, on arms with revolute joints."""
 import math
 
 import ikbench
@@ -13,7 +13,7 @@ def times(a, b):
 
 
 def frames(arm, q):
-    """The frames before each joint, and that of the tool."""
+    """Returns the frame before each joint, and the frame of the tool."""
     all = [square(arm.base)]
     for joint, value in zip(arm.joints, q):
         t, al, a, d = joint["theta"] + value, joint["alpha"], joint["a"], joint["d"]

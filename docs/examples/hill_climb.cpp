@@ -1,4 +1,5 @@
-// Hill climbing with a shrinking normal step: the example of docs/extending.md. Copy it into solvers/.
+// A solver in C++: hill climbing with a normal step that shrinks. It is the example of docs/extending.md; copy it into
+// solvers/.
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 
@@ -11,7 +12,7 @@ namespace {
 
 class HillClimb final : public Solver {
  public:
-  // Each option once: name, member, range, meaning. The default is the initialiser.
+  // The options. Each is listed once, with its name, member, range and meaning. Its default is the initialiser.
   struct Options {
     double step = 0.5;
     double shrink = 0.97;

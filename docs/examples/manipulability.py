@@ -1,5 +1,6 @@
-"""A study's [check]: how freely an answer lets the tool's point move on, sqrt(det(J J^T)) in m^3 (T. Yoshikawa, International
-Journal of Robotics Research 4 (1985) 3). It refuses none, or with an argument those below it as "near a singularity"."""
+"""A study's [check] that gives the manipulability of each answer: how freely the tool's point can move on from there,
+sqrt(det(J J^T)) in m^3 (T. Yoshikawa, International Journal of Robotics Research 4 (1985) 3). With an argument it refuses
+answers with less as "near a singularity"."""
 import math, sys
 
 import ikbench

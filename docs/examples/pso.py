@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""A particle swarm for ikbench, with Python's standard library alone: ikbench evaluates the candidates."""
+"""A solver for ikbench in Python: a particle swarm. It needs only the standard library, because ikbench evaluates the
+candidates."""
 import ikbench
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# Writes poses once around a rectangle in a y-z plane, as a CSV file for a path of the kind csv.
+# Prints poses once around a rectangle in a y-z plane. A study takes the file as kind = "csv".
 centre, width, height, points = (45, 10, 30), 30, 20, 31  # [cm]
 print("x_cm,y_cm,z_cm")  # without an orientation the tool points straight down
 for k in range(points):

@@ -1,4 +1,4 @@
-// A random local search for ikbench in C++, without a library: ikbench evaluates the candidates.
+// A solver for ikbench in C++: a random local search. It needs no library, because ikbench evaluates the candidates.
 // c++ -std=c++17 -O2 -o search search.cpp
 #include "ikbench_program.hpp"
 

@@ -1,6 +1,7 @@
-"""A study's [check] by pinocchio and coal (pip install pin): whether links of the arm touch each other, and their smallest
-distance, by the collision geometry of its URDF file. Packages are looked for in the folders of ROS_PACKAGE_PATH. The argument
-is the arm's SRDF file, as MoveIt has it, which lists the links that may touch."""
+"""A study's [check] that refuses answers with which links of the arm touch each other, and gives the smallest distance of
+two links. pinocchio and coal (pip install pin) compute it from the collision geometry of the arm's URDF file. Packages are
+looked for in the folders of ROS_PACKAGE_PATH. The argument is the arm's SRDF file, as MoveIt has it; it lists the links
+that may touch."""
 import os, sys
 
 import ikbench, pinocchio
