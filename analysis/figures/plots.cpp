@@ -248,8 +248,9 @@ std::optional<Figure> curves(const About& about, const CurveAxis& axis, std::vec
     }
     const std::string rows = fmt::format("data index {} using 1:", i);
     if (has_band && axis.has_bars)
+      // The marker of the line covers the dot; a marker of size 0 would become a scale of 0, which SVG viewers refuse.
       back.push_back(
-          fmt::format("{}(place_y($2)):(place_y($3)):(place_y($4)) with yerrorbars {} lw 0.7 ps 0", rows, style));
+          fmt::format("{}(place_y($2)):(place_y($3)):(place_y($4)) with yerrorbars {} lw 0.7 pt 0", rows, style));
     else if (has_band)
       back.push_back(fmt::format(
           "{}(place_y($3)):(place_y($4)) with filledcurves {} fs transparent solid 0.13 noborder", rows, style));
