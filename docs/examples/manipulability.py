@@ -1,6 +1,6 @@
 """A study's [check] that gives the manipulability of each answer: how freely the tool's point can move on from there,
-sqrt(det(J J^T)) in m^3 (T. Yoshikawa, International Journal of Robotics Research 4 (1985) 3). With an argument it refuses
-answers with less as "near a singularity"."""
+sqrt(det(J J^T)) in m^3 (T. Yoshikawa, International Journal of Robotics Research 4 (1985) 3). With an argument, it
+refuses answers whose manipulability is less, with the reason "near a singularity"."""
 import math, sys
 
 import ikbench
