@@ -1,12 +1,22 @@
 #!/usr/bin/env bash
-# Runs a study and compares its store with a baseline, as action.yml does: STUDY=my.toml BASELINE=old.sqlite cli/gate.sh
-# With REQUIRE (solved=95%, one requirement per line), or [require] in the study, solvers must also show these shares, and
-# BASELINE is not needed; an inconclusive requirement fails.
-# MARGIN (5%; default: the plan's), METRIC (solved,evaluations; default: all that the plan names), STRICT (true: inconclusive
-# fails, too), OUT (ikbench-gate), IKBENCH (the program).
-# With OLD, an older ikbench, in place of BASELINE both solve the study in turn, so that times decide, too: ROUNDS (20),
-# at most the study's runs or targets; TIME_MARGIN (10%).
-# Writes OUT/store.sqlite and OUT/verdict.md. Exit code 0: passed or no baseline; otherwise that of ikbench run or compare.
+# Runs a study, and decides whether solvers reach a share or became worse than a baseline. action.yml calls it; so can you:
+#
+#   STUDY=my.toml BASELINE=old.sqlite cli/gate.sh
+#
+# STUDY        the study
+# BASELINE     the store to compare with; if it is missing, the gate passes, and says which store to keep
+# REQUIRE      shares that your own solvers must reach, one per line, such as solved=95%; default: [require] of the study.
+#              An inconclusive one fails. With REQUIRE, no BASELINE is needed
+# OLD          an older ikbench, in place of BASELINE: both solve the study in turn, so that times decide, too
+# ROUNDS       with OLD, the number of rounds, at most the number of the study's runs or targets; default: 20
+# TIME_MARGIN  with OLD, the smallest relative difference of times that matters; default: 10%
+# MARGIN       the smallest relative difference that matters, such as 5%; default: that of the study's plan
+# METRIC       which metrics decide, such as solved,evaluations; default: all that the plan names
+# STRICT       true: an inconclusive comparison fails, too
+# OUT          the folder of the new store.sqlite and of verdict.md; default: ikbench-gate
+# IKBENCH      the program; default: ikbench
+#
+# The exit code is 0 if the gate passes, also without a baseline; otherwise it is that of ikbench run or compare.
 set -uo pipefail
 program=${IKBENCH:-ikbench} study=${STUDY:-} baseline=${BASELINE:-} out=${OUT:-ikbench-gate}
 [[ $baseline != -* ]] || baseline=./$baseline
