@@ -145,7 +145,7 @@ namespace {
 std::string plane_text(const TargetGrid& grid) {
   const std::vector<double>&x = grid.across, &y = grid.up;
   const std::array<double, 3> normal{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
-  for (const std::size_t axis : {0, 1, 2}) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     constexpr double nearly = 1 - 1e-9;
     const double at = grid.shoulder[axis];
     if (std::abs(normal[axis]) > nearly)

@@ -27,8 +27,8 @@ struct Figure {
   std::string titles = {};    // gnuplot commands that set x_title and y_title, in place of the figure's own
   std::size_t legend = 0;     // rows of the legend; style.gp adds room for the rows
   double sides_cm = 2.2;      // width of everything beside the plot
-  std::string pointer = {};   // JSON: what the page says of the place below the pointer (map_pointer.js); empty: nothing
-  bool is_dense = false;      // an SVG is too large for a page, so a PNG is drawn, too
+  std::string pointer = {};  // JSON: what the page says of the place below the pointer (map_pointer.js); empty: nothing
+  bool is_dense = false;     // an SVG is too large for a page, so a PNG is drawn, too
 };
 
 // The subject of a figure: the name of the files, the plain text below the picture, and the quantity shown.

@@ -261,7 +261,7 @@ std::string panel_commands(const MapPanel& panel, std::size_t index, const MapLa
 // Returns "x" for a direction along an axis of the base, and a word for any other.
 std::string axis_name(const std::vector<double>& direction, const char* otherwise) {
   constexpr double nearly = 1 - 1e-9;
-  for (const std::size_t axis : {0, 1, 2})
+  for (std::size_t axis = 0; axis < 3; ++axis)
     if (direction[axis] > nearly) return std::string(1, "xyz"[axis]);
   return otherwise;
 }

@@ -177,12 +177,13 @@ Axis linear_axis(char letter, std::span<const double> values, const std::string&
     axis.high = largest > 0 ? 1.05 * largest : 1;
   }
   // Points are whole numbers, so their step is at least 1.
-  const double step = std::max(round_step_of(axis.high - axis.low, 5), is_first ? 1.0 : 0.0);
+  const double tick_step = std::max(round_step_of(axis.high - axis.low, 5), is_first ? 1.0 : 0.0);
   double ticks_cm = 0;
-  for (double i = std::ceil(axis.low / step); i * step <= axis.high; ++i)
-    ticks_cm += 0.25 + width_cm_of(fmt::format("{:.6g}", i * step));
+  for (double i = std::ceil(axis.low / tick_step); i * tick_step <= axis.high; ++i)
+    ticks_cm += 0.25 + width_cm_of(fmt::format("{:.6g}", i * tick_step));
   const std::string ticks =
-      letter == 'x' ? fmt::format("set xtics {} * (plot_cm < {} ? 2 : 1)\n", text_of(step), text_of(ticks_cm)) : "";
+      letter == 'x' ? fmt::format("set xtics {} * (plot_cm < {} ? 2 : 1)\n", text_of(tick_step), text_of(ticks_cm))
+                    : "";
   axis.settings = fmt::format("set {0}range [{1}:{2}]\n{3}{4}{5}", letter, text_of(axis.low), text_of(axis.high), ticks,
                               titled(letter, title), placed(letter, axis.low, axis.high));
   if (is_first) axis.settings += fmt::format("set {}tics add ({})\n", letter, text_of(smallest));

@@ -74,7 +74,7 @@ std::vector<Figure> of_sweep(const std::vector<SweptValue>& values, const std::s
                      .quantity = "targets solved",
                      .unit = "%",
                      .is_share = true};
-  const About time{
+  const About times{
       .name = "sweep-time",
       .caption = fmt::format(
           "Median time of the solves that solved their target, at each value of {}. No point: none did, or times are not compared.",
@@ -83,8 +83,8 @@ std::vector<Figure> of_sweep(const std::vector<SweptValue>& values, const std::s
       .unit = "ms"};
   std::vector<Figure> figures;
   const CurveAxis axis{.title = key, .has_bars = true, .may_be_logarithmic = true};
-  for (std::optional<Figure> figure :
-       {curves(solved, axis, lines_of(values, look, solved_row)), curves(time, axis, lines_of(values, look, time_row))})
+  for (std::optional<Figure> figure : {curves(solved, axis, lines_of(values, look, solved_row)),
+                                       curves(times, axis, lines_of(values, look, time_row))})
     if (figure) figures.push_back(std::move(*figure));
   return figures;
 }

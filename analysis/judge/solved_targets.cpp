@@ -99,7 +99,8 @@ SolvedTargets solved_targets(const StudyResults& study) {
     all.solvers.push_back(label);
     counts.insert(count);
   }
-  const std::size_t solves = static_cast<std::size_t>(study.definition.runs) * study.definition.points;
+  const std::size_t solves =
+      static_cast<std::size_t>(study.definition.runs) * static_cast<std::size_t>(study.definition.points);
   all.is_complete = counts == std::set{solves};
   all.is_solved.resize(all.targets.size() * all.solvers.size());
   const auto place_of = [](const SolvedTarget& target) { return std::pair(target.run, target.point); };

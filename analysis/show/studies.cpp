@@ -154,7 +154,8 @@ std::vector<OutcomeGroup> outcome_groups(const StudiesReport& report) {
     group->names.push_back(column.name);
   }
   if (place_words(report).key.empty())
-    std::ranges::stable_partition(groups, [](const OutcomeGroup& group) { return group.outcome.has_difference(); });
+    std::stable_partition(groups.begin(), groups.end(),
+                          [](const OutcomeGroup& group) { return group.outcome.has_difference(); });
   return groups;
 }
 

@@ -191,8 +191,9 @@ double distance_to(const Eigen::VectorXd& pose, const Pose& target) {
 }  // namespace
 
 RowRange GivenAnswers::of(int run, int point) const {
-  const auto [first, last] = std::ranges::equal_range(
-      rows, std::pair(run, point), {}, [](const GivenRow& row) { return std::pair(row.run, row.point); });
+  const auto place = [](const GivenRow& row) { return std::pair(row.run, row.point); };
+  const auto first = std::ranges::lower_bound(rows, std::pair(run, point), {}, place);
+  const auto last = std::ranges::upper_bound(rows, std::pair(run, point), {}, place);
   return {.first = static_cast<std::size_t>(first - rows.begin()), .count = static_cast<std::size_t>(last - first)};
 }
 

@@ -84,7 +84,8 @@ OrderedJson entry_definition(const SolverEntry& entry) {
   if (entry.population > 0) json["population"] = entry.population;
   if (entry.if_missing == IfMissing::skip) json["if_missing"] = "skip";
   for (const auto& [name, setting] : entry.options) {
-    std::visit([&](const auto& value) { json["options"][name] = value; }, setting);
+    auto& option = json["options"][name];
+    std::visit([&](const auto& value) { option = value; }, setting);
   }
   return json;
 }
