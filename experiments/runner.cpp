@@ -218,8 +218,9 @@ struct Execution {
 };
 
 // Makes the solves that some solvers lack of the units. The batches of these solvers have one size. A group is one unit
-// or the units of a batch. A group has two units if a call on the other unit comes between the two calls on a target.
-// The solvers take turns at being first in a group.
+// or the units of a batch. In a warm study a group has two units, so that a call on the other unit comes between the
+// two calls on a target; a program gets only one message for each target, because it makes both calls itself. The
+// solvers take turns at being first in a group.
 class GroupedWork {
  public:
   GroupedWork(const Execution& execution, const std::vector<std::size_t>& solvers, const std::vector<WorkUnit>& units)
@@ -280,7 +281,8 @@ class GroupedWork {
   }
 
   void solve_group(const Assignment& assignment) {
-    if ((is_warm_ || batch_ > 0) && !make_first_calls(assignment)) return;
+    const bool is_warmed_here = is_warm_ && !assignment.solve_runner.is_program();
+    if ((is_warmed_here || batch_ > 0) && !make_first_calls(assignment)) return;
     if (batch_ > 0) assignment.solve_runner.count_failure(assignment.solver);
     std::vector<SolveRecord> unchecked;  // checked after the last call, because a check would cool the caches
     for (const WorkUnit& unit : assignment.units) solve_unit(unit, assignment, unchecked);

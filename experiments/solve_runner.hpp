@@ -57,6 +57,7 @@ class SolveRunner {
   void count_failure(solvers::Solver& solver) const;
   // Returns the anomalies of a program or of a user's class: the last failure, and answers that change; empty: none.
   std::string anomalies() const;
+  bool is_program() const { return processes_ != nullptr; }
   int batch() const { return entry_.program ? entry_.program->choice.batch : 0; }
   // Asks an entry with a batch for all calls that `warm_call` collected since the last batch; `solve` then has their
   // answers. Returns false if the batch failed, with all of its solves.
@@ -85,8 +86,11 @@ class SolveRunner {
                                    const Configuration& answer, const Verification& verified) const;
   results::Status status_of(const TimedSolve& timed, const Verification& verified, const Pose& target) const;
   bool missed_deadline(const TimedSolve& timed) const;
+  results::Timing timing_of_solve(const TimedSolve& made) const;
   // Returns true if the solver ended the solve; otherwise the clock may have chosen the answer.
   bool ended_itself(const TimedSolve& timed) const;
+  // Counts whether the second of two solves of a program gave another answer.
+  void count_second_solve(const TimedSolve& made) const;
   // Repeats a solve if it is one in ten, and counts whether the answer differs.
   void count_rerun(solvers::Solver& solver, const SolveRequest& call, const TimedSolve& made) const;
 
@@ -100,6 +104,7 @@ class SolveRunner {
   bool is_counted_;                         // true: evaluations are counted here, or by a program
   std::unique_ptr<ProcessPool> processes_;  // null if no program solves
   mutable std::atomic<int> rerun_count_ = 0, rerun_differences_ = 0;
+  mutable std::atomic<int> second_count_ = 0, second_differences_ = 0;  // of second solves
 };
 
 }  // namespace ikbench::experiments

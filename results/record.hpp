@@ -41,8 +41,9 @@ enum class Status : std::uint8_t {
 
 // The circumstances in which a solve was timed. Only `clean` times can be compared, and `process` ones, those of
 // another program, which include its messages. `batch`: the time of a batch divided by its size, wherever it was
-// solved. `elsewhere`: the answer was made outside this program, which timed nothing.
-enum class Timing : std::uint8_t { clean, parallel, debug_build, process, batch, elsewhere };
+// solved. `elsewhere`: the answer was made outside this program, which timed nothing. `process_warm`: another program
+// solved the target twice in a row in its own process, and timed the second solve.
+enum class Timing : std::uint8_t { clean, parallel, debug_build, process, batch, elsewhere, process_warm };
 
 // The side that counted the evaluations: ikbench, the solver itself, or none.
 enum class CountedBy : std::uint8_t { ikbench, solver, none };
@@ -51,10 +52,15 @@ constexpr std::array<std::string_view, 12> names_of(Status) {
   return {"ok",         "invalid", "tolerance_missed", "limit_violated", "refused",  "misreported",
           "not_finite", "crashed", "timed_out",        "protocol_error", "declined", "over_budget"};
 }
-constexpr std::array<std::string_view, 6> names_of(Timing) {
-  return {"clean", "parallel", "debug_build", "process", "batch", "elsewhere"};
+constexpr std::array<std::string_view, 7> names_of(Timing) {
+  return {"clean", "parallel", "debug_build", "process", "batch", "elsewhere", "process_warm"};
 }
 constexpr std::array<std::string_view, 3> names_of(CountedBy) { return {"ikbench", "solver", "none"}; }
+
+// Returns true if another program made the solve, alone in its message.
+constexpr bool is_of_process(Timing timing) { return timing == Timing::process || timing == Timing::process_warm; }
+// Returns true if the time is of one solve in a release build, without others beside it.
+constexpr bool is_timed_alone(Timing timing) { return timing == Timing::clean || is_of_process(timing); }
 
 // Returns true if the solver gave no answer within its budget.
 constexpr bool has_no_answer(Status status) { return status >= Status::crashed; }

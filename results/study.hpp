@@ -141,7 +141,8 @@ enum class Start { previous, initial, middle, random, near };
 
 // The state in which a timed call begins.
 // first: the first call on its target, after other solvers' work, as in a program that does other things.
-// warm: the second call on its target, with warm caches, as in a loop over many targets.
+// warm: the second call on its target, with warm caches, as in a loop over many targets. A program makes both in its
+// process, because its caches are cold behind each message.
 enum class CacheState { first, warm };
 
 // The names as in files, in the order of the enumerators.

@@ -33,7 +33,7 @@ void add_success(SolvedTarget& target, const SolveSummary& solve, std::size_t so
   const bool is_counted = solve.counted_by != results::CountedBy::none;
   if (is_counted && is_less(target.fewest_evaluations, solve.evaluations))
     target.fewest_evaluations.emplace(solver, solve.evaluations);
-  const bool is_timed = solve.timing == results::Timing::clean || solve.timing == results::Timing::process;
+  const bool is_timed = results::is_timed_alone(solve.timing);
   if (!is_imported && is_timed && std::isfinite(solve.seconds) && is_less(target.least_seconds, solve.seconds))
     target.least_seconds.emplace(solver, solve.seconds);
 }

@@ -67,7 +67,7 @@ LoopCounts count_loop(const StudyResults& study, const Solves& solves) {
   std::int64_t in_a_row = 0;
   for (const SolveSummary& solve : solves) {
     ++counts.solves;
-    counts.is_timed &= solve.timing == results::Timing::clean || solve.timing == results::Timing::process;
+    counts.is_timed &= results::is_timed_alone(solve.timing);
     counts.failed += has_failed(study, solve);
     counts.late += solve.missed_deadline;
     if (!solve.missed_deadline || solve.point == 1) in_a_row = 0;

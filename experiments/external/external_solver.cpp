@@ -200,10 +200,11 @@ void ExternalSolver::count_failure() {
 }
 
 Clock::time_point ExternalSolver::deadline(double problems) const {
+  const double solves = pool_.state == CacheState::warm ? 2 : 1;  // each has the whole budget
   const double timeout = pool_.program->choice.timeout;
-  if (timeout > 0) return deadline_in(timeout);
-  if (stop_.seconds == 0) return deadline_in(60);
-  return deadline_in(std::clamp(20 * stop_.seconds * problems, 5.0, 1e6));
+  if (timeout > 0) return deadline_in(solves * timeout);
+  if (stop_.seconds == 0) return deadline_in(solves * 60);
+  return deadline_in(solves * std::clamp(20 * stop_.seconds * problems, 5.0, 1e6));
 }
 
 void ExternalSolver::clear_batch() {
@@ -272,7 +273,8 @@ void ExternalSolver::start(const Problem& problem, Objective& objective, Random&
 
 void ExternalSolver::exchange_solve(const Problem& problem, Objective& objective, std::uint32_t seed) {
   report_ = {};
-  const SolveQuestion question{.text = solve_message(problem, objective.goal(), stop_, seed), .seed = seed};
+  const SolveQuestion question{.text = solve_message(problem, objective.goal(), stop_, seed, pool_.state),
+                               .seed = seed};
   if (is_batched()) take_batch_report(question);
   if (report_.failure) {  // the failure of the whole batch was recorded when the batch failed
     best_.error = infinite_error;
@@ -325,6 +327,16 @@ Eigen::VectorXd ExternalSolver::evaluate(const Candidates& candidates, bool is_o
   return errors;
 }
 
+void ExternalSolver::take_time(const Message& message, const Exchange& exchange) {
+  report_.reported_seconds = reported_seconds_in(message, exchange.passed);
+  if (!message.is_of_second_solve()) return;
+  if (pool_.state != CacheState::warm) message.fail("no \"timed\", as one solve was asked for");
+  if (report_.iterations > 0) message.fail("no \"timed\", as candidates of both solves were evaluated");
+  report_.is_of_second_solve = true;
+  report_.differs_from_first = message.differs_from_first();
+  report_.cpu_seconds /= 2;  // it was measured over both solves
+}
+
 void ExternalSolver::take_solved(const Message& message, Exchange& exchange) {
   if (message.name() == "declined") throw ProcessFailure{ProcessFailure::Kind::declined, message.decline_reason()};
   if (message.name() != "solved") message.fail("\"evaluate\", \"solved\" or \"declined\"");
@@ -333,7 +345,7 @@ void ExternalSolver::take_solved(const Message& message, Exchange& exchange) {
   best_.q = answer_in(message, exchange);
   report_.reported_error = message.number("error");
   best_.error = exchange.uncounted.error(best_.q);
-  if (!is_batched()) report_.reported_seconds = reported_seconds_in(message, exchange.passed);
+  if (!is_batched()) take_time(message, exchange);
   // Without a count, the requests to evaluate are counted. The first of them evaluates the start of the search.
   const std::int64_t reported = message.count("iterations");
   report_.iterations = reported >= 0 ? reported : std::max<std::int64_t>(0, report_.iterations - 1);

@@ -38,8 +38,10 @@ struct ProcessReport {
   solvers::Improvements improved = {};
   double reported_error = std::numeric_limits<double>::quiet_NaN();    // [m], self-reported; NaN: none
   double reported_seconds = std::numeric_limits<double>::quiet_NaN();  // [s], self-reported; NaN: none
-  int batch_size = 1;                                                  // by which times of a batch are divided
-  double seconds = 0;                                                  // [s], the share of a batch's wall time
+  bool is_of_second_solve = false;  // the program solved twice in a row, and reports the second solve
+  bool differs_from_first = false;  // the second solve gave another answer
+  int batch_size = 1;               // by which times of a batch are divided
+  double seconds = 0;               // [s], the share of a batch's wall time
 };
 
 // Returns the self-reported time [s] of a program if its processor time is known and the program cannot have taken
@@ -73,9 +75,10 @@ void warm_up_calls(Solve&& solve) {
 // The idle processes of a program. Any thread may take one and give it back.
 class ProcessPool {
  public:
-  // `robot_text` is the first message to each process.
-  ProcessPool(std::shared_ptr<const Program> of_program, std::string robot_text)
-      : program(std::move(of_program)), robot(std::move(robot_text)) {}
+  // `robot_text` is the first message to each process. A program that is `asked` warm solves twice in a row.
+  ProcessPool(std::shared_ptr<const Program> of_program, std::string robot_text,
+              results::CacheState asked = results::CacheState::first)
+      : program(std::move(of_program)), robot(std::move(robot_text)), state(asked) {}
 
   WorkerProcess acquire();
   void release(WorkerProcess worker);
@@ -84,6 +87,7 @@ class ProcessPool {
 
   const std::shared_ptr<const Program> program;
   const std::string robot;
+  const results::CacheState state;
 
  private:
   mutable std::mutex mutex_;
@@ -137,6 +141,8 @@ class ExternalSolver final : public solvers::Searcher {
   Message ask(const SolveQuestion& question, Exchange& exchange);
   // Returns the errors of candidates, NaN for those that the budget leaves no room for.
   Eigen::VectorXd evaluate(const robots::Candidates& candidates, bool is_over, Exchange& exchange);
+  // Takes the self-reported time of a solve, and whether the solve was the second of two.
+  void take_time(const Message& message, const Exchange& exchange);
   // Takes the answer of a solve, with everything that the program reports of it.
   void take_solved(const Message& message, Exchange& exchange);
   // Returns the answer, and notes the extras of the message. Without an answer, the best candidate that was evaluated

@@ -230,6 +230,10 @@ std::map<std::string, std::optional<Message>> Message::answers(const std::vector
   return by_question;
 }
 
+bool Message::is_of_second_solve() const { return json_->value("timed", Json()) == "second"; }
+
+bool Message::differs_from_first() const { return json_->value("same", Json()) == false; }
+
 bool Message::has(const char* key) const { return json_->contains(key); }
 
 double Message::number(const char* key) const {
@@ -280,12 +284,13 @@ std::string robot_message(const SolveSetup& setup) {
                   {"urdf", urdf.empty() ? urdf_of(arm, searched) : urdf}});
 }
 
-std::string solve_message(const Problem& problem, const Goal& goal, const StopRule& stop, std::uint32_t seed) {
+std::string solve_message(const Problem& problem, const Goal& goal, const StopRule& stop, std::uint32_t seed,
+                          results::CacheState state) {
   const JointLimits limits = finite_limits(problem);
   OrderedJson target{{"position", numbers(goal.target.translation())}};
   if (goal.kind == GoalKind::pose) target["rotation"] = numbers(goal.target.linear().transpose().reshaped());
   if (goal.kind == GoalKind::axis) target["axis"] = numbers(goal.target.linear().col(2));
-  return base::text_of(OrderedJson{
+  OrderedJson message{
       {"message", "solve"},
       {"target", target},
       {"start", numbers(problem.start)},
@@ -294,7 +299,9 @@ std::string solve_message(const Problem& problem, const Goal& goal, const StopRu
       {"tolerance", {{"position", stop.tolerance}, {"rotation", stop.angle_tolerance}}},
       {"budget", {{"iterations", stop.iterations}, {"evaluations", stop.evaluations}, {"seconds", stop.seconds}}},
       {"population", problem.population},
-      {"seed", seed}});
+      {"seed", seed}};
+  if (state == results::CacheState::warm) message["state"] = "warm";
+  return base::text_of(message);
 }
 
 std::string errors_message(const Eigen::VectorXd& errors, bool is_over) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/child_process.hpp"
+#include "results/study.hpp"
 #include "robots/robot.hpp"
 #include "solvers/options.hpp"
 #include "solvers/solve.hpp"
@@ -67,6 +68,9 @@ class Message {
   // Returns the answers of a batch by the texts of its questions. The answers come in the order of the questions, each
   // with the seed of its question.
   std::map<std::string, std::optional<Message>> answers(const std::vector<SolveQuestion>& questions) const;
+  // Returns true if the program solved twice in a row, and everything that it reports is of the second solve.
+  bool is_of_second_solve() const;
+  bool differs_from_first() const;  // the second solve gave another answer
   bool has(const char* key) const;
   robots::Configuration joints(int joints) const;  // [rad, m]; NaN where the message has null
   double number(const char* key) const;            // NaN if there is none
@@ -100,9 +104,9 @@ struct SolveSetup {
 
 // Returns the first message to a process, with the end of its line.
 std::string robot_message(const SolveSetup& setup);
-// Returns the message on one solve, without the end of its line.
+// Returns the message on one solve, without the end of its line. A `warm` one asks for two solves in a row.
 std::string solve_message(const solvers::Problem& problem, const solvers::Goal& goal, const solvers::StopRule& stop,
-                          std::uint32_t seed);
+                          std::uint32_t seed, results::CacheState state = results::CacheState::first);
 // Returns the reply to a request to evaluate, with the end of its line. Errors [m] that are not finite become null.
 // With `is_over` the program is told that its budget is used up.
 std::string errors_message(const Eigen::VectorXd& errors, bool is_over);

@@ -63,6 +63,7 @@ TEST_CASE("a program gets null for no limit, a whole turn each way to search in,
   CHECK(message["upper"][0] == 0.2 + 2 * half);
   CHECK(message["upper"][1] == arm.limits.upper[1]);
   CHECK(message["budget"]["iterations"] == 1000);
+  CHECK_FALSE(message.contains("state"));
   const Goal pose{arm.chain.forward(Configuration::Constant(7, 0.7)), 0.25, GoalKind::pose};
   const nlohmann::json of_pose = nlohmann::json::parse(solve_message(problem, pose, {}, 1));
   CHECK(of_pose["target"]["rotation"] == row_major(pose.target.linear()));

@@ -68,6 +68,21 @@ TEST_CASE("one solve of an entry with batches is a batch of one, with the same a
   CHECK(of_batch.batch_size == 1);
 }
 
+TEST_CASE("a warm study says so to a program, and only one answer says that it is of a second solve", "[foreign]") {
+  const Robot arm = robot("kuka_iiwa14");
+  const Configuration start = Configuration::Constant(7, 0.2);
+  const Problem problem{.start = start, .lower = arm.limits.lower, .upper = arm.limits.upper, .population = 20};
+  const Eigen::Vector3d target(0, 0, 0.5);
+  const nlohmann::json warm = nlohmann::json::parse(solve_message(problem, target, {}, 1, results::CacheState::warm));
+  CHECK(warm["state"] == "warm");
+  const auto answer = [](const std::string& rest) { return Message(R"({"message":"solved")" + rest + "}"); };
+  CHECK(answer(R"(,"timed":"second")").is_of_second_solve());
+  for (const char* rest : {"", R"(,"timed":"first")", R"(,"timed":2)", R"(,"timed":null)", R"(,"same":true)"})
+    CHECK_FALSE(answer(rest).is_of_second_solve());
+  CHECK(answer(R"(,"same":false)").differs_from_first());
+  CHECK_FALSE(answer("").differs_from_first());
+}
+
 TEST_CASE("candidates are numbers as JSON writes them", "[foreign]") {
   const auto is_read = [](const std::string& number) {
     try {
