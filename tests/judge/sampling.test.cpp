@@ -649,3 +649,28 @@ TEST_CASE("what attempts spent is by what they solved, and the spread of its par
   // A's sum is worth 20 800^2 / 20 008 000 = 21.6 values.
   CHECK(std::log(found.interval->high / *found.estimate) == Approx(2.081 * std::sqrt(square / 99 / 100)).epsilon(1e-3));
 }
+
+TEST_CASE("calls through a pipe are told apart in a warm study, and not compared with warm ones") {
+  const auto warm_study = [](Timing of_a, Timing of_b) {
+    StudyResults warm = study({.runs = 6}, [=](SolveRecord& solve) {
+      solve.timing = solve.label == "A" ? of_a : of_b;
+      if (solve.timing != Timing::clean) solve.wall_seconds = 2 * solve.seconds;
+    });
+    for (Session& session : warm.sessions) session.environment["state"] = "warm";
+    return warm;
+  };
+  const StudyResults one_cold = warm_study(Timing::process, Timing::process_warm);
+  REQUIRE(time_warnings(one_cold).size() == 1);
+  CHECK(time_warnings(one_cold).front().solvers == std::vector<std::string>{"A"});
+  CHECK(timed_calls_text(one_cold) == "second calls on a target, but those of A through a pipe, which are not warm");
+  StudyResults all_cold = warm_study(Timing::process, Timing::process);
+  CHECK(time_warnings(all_cold).empty());
+  CHECK(timed_calls_text(all_cold) == "calls through a pipe, which are not warm");
+  all_cold.imported.labels = {"B"};  // which is then the only solver with a warning
+  REQUIRE(time_warnings(all_cold).size() == 1);
+  CHECK(time_warnings(all_cold).front().solvers == std::vector<std::string>{"B"});
+  CHECK(timed_calls_text(all_cold) == "calls through a pipe, which are not warm");
+  const StudyResults none_cold = warm_study(Timing::clean, Timing::process_warm);
+  CHECK(time_warnings(none_cold).empty());
+  CHECK(timed_calls_text(none_cold) == "second calls on a target");
+}

@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "analysis/judge/statistics/descriptives.hpp"
+#include "base/names.hpp"
 #include "base/units.hpp"
 #include "results/export.hpp"
 
@@ -137,9 +138,9 @@ void add(const SolveRecord& record, SecondDifference& second_difference, StudyRe
   add_grid_place(record, study);
   const bool is_single = record.timing != Timing::batch;
   if (!is_single) add_batch(record, study);
-  const bool is_timed = record.timing == Timing::clean || record.timing == Timing::process;
+  const bool is_timed = is_timed_alone(record.timing);
   const bool is_time_of_solver =
-      record.timing == Timing::clean || (record.timing == Timing::process && is_self_timed(record));
+      record.timing == Timing::clean || (is_of_process(record.timing) && is_self_timed(record));
   const double period = study.definition.loop.period;
   study.solves.push_back(
       {.run = record.run,
@@ -174,6 +175,15 @@ void add(const SolveRecord& record, SecondDifference& second_difference, StudyRe
 // Returns whether two solves have the same target, outcome and answer, bit for bit.
 bool are_same(const SolveSummary& first, const SolveSummary& second) {
   return first.target == second.target && first.status == second.status && first.answer == second.answer;
+}
+
+// Returns which calls were timed in a warm study.
+std::string warm_calls_text(const StudyResults& study) {
+  const WarmStudySolvers solvers = solvers_of_warm_study(study);
+  if (solvers.through_pipe.empty()) return "second calls on a target";
+  if (solvers.warm.empty()) return "calls through a pipe, which are not warm";
+  return fmt::format("second calls on a target, but those of {} through a pipe, which are not warm",
+                     base::listed(solvers.through_pipe));
 }
 
 }  // namespace
@@ -215,11 +225,31 @@ std::set<std::string> environment_values(const StudyResults& study, const std::s
   return values;
 }
 
+WarmStudySolvers solvers_of_warm_study(const StudyResults& study) {
+  WarmStudySolvers found;
+  if (!environment_values(study, "state").contains("warm")) return found;
+  const auto is_warm = [](const SolveSummary& solve) {
+    return solve.timing == Timing::clean || solve.timing == Timing::process_warm;
+  };
+  const auto is_through_pipe = [](const SolveSummary& solve) {
+    return solve.timing == Timing::process && has_answer(solve);
+  };
+  for (const std::string& solver : study.labels) {
+    if (study.imported.has(solver)) continue;
+    const Solves solves = study.of(solver);
+    if (10 * std::ranges::count_if(solves, is_through_pipe) > std::ssize(solves))
+      found.through_pipe.push_back(solver);
+    else if (std::ranges::any_of(solves, is_warm))
+      found.warm.push_back(solver);
+  }
+  return found;
+}
+
 std::string timed_calls_text(const StudyResults& study) {
   const std::set<std::string> states = environment_values(study, "state");
   if (states.empty()) return "";
   if (states.contains("first")) return "first calls on a target";
-  if (states.contains("warm")) return "second calls on a target";
+  if (states.contains("warm")) return warm_calls_text(study);
   return "calls in the order of the runs";
 }
 

@@ -101,6 +101,15 @@ std::set<std::string> environment_values(const StudyResults& study, const std::s
 
 constexpr int min_sessions = 4;  // fewer sessions compare no times
 
+// The solvers of a warm study, by the calls that were timed. Solvers whose solves are imported, in batches or made
+// elsewhere are in neither list.
+struct WarmStudySolvers {
+  std::vector<std::string> warm = {};
+  // Programs that, on more than a tenth of their targets, did not time a second solve in their own process.
+  std::vector<std::string> through_pipe = {};
+};
+// Returns empty lists for a study that is not warm.
+WarmStudySolvers solvers_of_warm_study(const StudyResults& study);
 // Returns which calls were timed, such as "first calls on a target"; empty if no session says it.
 std::string timed_calls_text(const StudyResults& study);
 // The sessions by which times are compared. Lists have one set per solver.

@@ -168,7 +168,7 @@ std::string reason_against_times(const StudyResults& study, const SessionSets& s
 // Returns whether more than a tenth of the solves of an external solver have no self-reported time.
 bool reports_no_times(Solves solves) {
   const auto has_no_own_time = [](const SolveSummary& solve) {
-    return solve.timing == Timing::process && !solve.is_self_timed && has_answer(solve);
+    return is_of_process(solve.timing) && !solve.is_self_timed && has_answer(solve);
   };
   return 10 * std::ranges::count_if(solves, has_no_own_time) > std::ssize(solves);
 }
@@ -238,6 +238,9 @@ std::vector<Warning> time_warnings(const StudyResults& study) {
     if (reports_no_times(study.of(solver))) silent.push_back(solver);
   // If no solver reports times, all times include messages alike.
   if (silent.size() < study.labels.size()) add_for(std::move(silent), "they include message passing");
+  // If no solver is warm, all calls are cold alike.
+  if (const auto [warm, through_pipe] = solvers_of_warm_study(study); !warm.empty())
+    add_for(through_pipe, "asked through a pipe, not warm");
   add_for(measured_apart(study, sessions.complete),
           "too few sessions shared with the others; rerun everything with --out NEW");
   add_for(measured_apart(study, sessions.quiet), "the machine was busy");
