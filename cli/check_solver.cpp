@@ -75,15 +75,17 @@ struct Attempt {
 // A program at work on goals of one kind for one arm, with the processes that solve these goals.
 struct CheckedProgram {
   CheckedProgram(const std::shared_ptr<const Program>& program, Robot checked_arm, GoalKind kind,
-                 double goal_offset = 0)
+                 double goal_offset = 0, results::CacheState state = results::CacheState::first)
       : arm(std::move(checked_arm)),
         offset(goal_offset),
         goal(example_goal(arm, kind, goal_offset)),
-        processes(program, robot_message({.arm = arm,
-                                          .searched = arm.chain,
-                                          .goal = goal,
-                                          .hello = program->hello,
-                                          .options = resolved_options(program->hello, {})})) {}
+        processes(program,
+                  robot_message({.arm = arm,
+                                 .searched = arm.chain,
+                                 .goal = goal,
+                                 .hello = program->hello,
+                                 .options = resolved_options(program->hello, {})}),
+                  state) {}
 
   Attempt solve_once(const StopRule& stop = usual_budget, int number = 0) {
     Objective objective(arm.chain, example_goal(arm, goal.kind, offset, number));
@@ -185,12 +187,13 @@ class Checks {
     endless.limits.upper[0] = std::numeric_limits<double>::infinity();
     endless.limits.lower[0] = -endless.limits.upper[0];
     CheckedProgram second(program, arm_, kind);
+    CheckedProgram warm(program, arm_, kind, 0, results::CacheState::warm);
     CheckedProgram continuous(program, endless, kind);
     CheckedProgram prismatic(program, example_arm(Joint::slides), kind);
     CheckedProgram unreachable(program, arm_, kind, 10);
     check_answer("a continuous joint", continuous);
     check_answer("a prismatic joint", prismatic);
-    check_repeated(*chosen, second, first);
+    if (check_repeated(*chosen, second, first)) check_warm(warm, first);
     check_cause(program);
     if (program->hello.takes_batches) check_batch(*program, kind, first);
     check_budgets(unreachable);
@@ -223,8 +226,8 @@ class Checks {
 
   // Solves a few poses in two processes. Twenty are too few to find threads or clocks that change answers rarely.
   // Errors up to twice the tolerance are counted separately, because a program may compute the error with less
-  // precision.
-  void check_repeated(CheckedProgram& chosen, CheckedProgram& second, const Attempt& first) {
+  // precision. Returns true if the answers are the same.
+  bool check_repeated(CheckedProgram& chosen, CheckedProgram& second, const Attempt& first) {
     constexpr int poses = 20;
     int different = 0, solvable = 0, reached = 0, near = 0;
     for (int number = 0; number < poses; ++number) {
@@ -246,6 +249,20 @@ class Checks {
                                          usual_budget.tolerance, usual_budget.angle_tolerance, near);
     line(fmt::format("it reaches some of the {} poses that LM solves", solvable),
          reached == 0 && solvable > 0 ? seen : "", seen);
+    return wrong.empty();
+  }
+
+  // Asks as a warm study does. The answer must be that of a single solve.
+  void check_warm(CheckedProgram& warm, const Attempt& first) {
+    const Attempt attempt = warm.solve_once();
+    std::string wrong;
+    if (attempt.report.failure)
+      wrong = warm.processes.last_failure();
+    else if (attempt.q != first.q || attempt.report.differs_from_first)
+      wrong = "it gives another answer when it solves twice in a row";
+    line("it gives the same answer in a warm study", wrong,
+         attempt.report.is_of_second_solve ? "it solves twice, and times the second solve"
+                                           : "it solves once, so its time counts as one through a pipe");
   }
 
   // Looks for one cause of wrong answers, among the goals that tell most of an answer.
