@@ -63,9 +63,9 @@ TEST_CASE("the tools of thirty public arms with rounded angles are where another
     const Robot robot = arm.read(arm.urdf + "</robot>\n"), again = arm.read(urdf_of(robot, robot.chain));
     CHECK(joint_names(again) == joint_names(robot));
     REQUIRE(arm.poses.size() >= 2);
-    for (const auto& [q, expected] : arm.poses) {
-      const auto off = [&tool = expected](const Pose& pose) {
-        return (pose.matrix().topRows<3>() - tool).cwiseAbs().maxCoeff();
+    for (const auto& [q, tool] : arm.poses) {
+      const auto off = [&expected = tool](const Pose& pose) {
+        return (pose.matrix().topRows<3>() - expected).cwiseAbs().maxCoeff();
       };
       CHECK(off(robot.chain.forward(q)) < 1e-12);
       CHECK(off(pose_of(robot.description, q)) < 1e-12);
