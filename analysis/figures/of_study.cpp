@@ -401,11 +401,12 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
   for (const Comparison& pair : pairs) rows.push_back(interval_row(pair, unit, labels));
   const bool are_ratios = pairs.back().scale == EffectScale::ratio;
   const std::string effect = fmt::format("{} of {}", are_ratios ? "ratio" : "difference", samples.quantity);
+  const std::string intervals = are_by_closed_tests(pairs) ? "without intervals, which closed tests do not have"
+                                                           : "with intervals that hold for all pairs at once";
   return differences(
       {.name = "differences",
-       .caption = fmt::format(
-           "Pairwise {}, with intervals that hold for all pairs at once. Right: the verdict on the first solver.{}",
-           effect, is_only_first ? fmt::format(" Only pairs with {} are drawn.", shown.front()) : ""),
+       .caption = fmt::format("Pairwise {}, {}. Right: the verdict on the first solver.{}", effect, intervals,
+                              is_only_first ? fmt::format(" Only pairs with {} are drawn.", shown.front()) : ""),
        .quantity = effect,
        .unit = drawn_name(is_proportion(samples), unit, are_ratios)},
       rows, are_ratios);

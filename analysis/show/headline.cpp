@@ -10,6 +10,8 @@
 #include <set>
 #include <string_view>
 
+#include "analysis/judge/statistics/closed_tests.hpp"
+#include "analysis/judge/statistics/omnibus.hpp"
 #include "analysis/show/phrases.hpp"
 #include "analysis/show/text.hpp"
 #include "base/names.hpp"
@@ -527,6 +529,42 @@ class QuestionTeller {
   }
 };
 
+// Returns how many blocks closed tests compare in a metric: "7", or "7 to 9" if pairs have different blocks in common.
+std::string closed_sizes(const JudgedMetric& judged, const std::string& noun) {
+  std::set<int> sizes;
+  for (const Comparison& comparison : judged.comparisons)
+    if (const auto* const tested = std::get_if<TestResult>(&comparison.result)) sizes.insert(tested->n);
+  const std::string fewest = sizes.size() == 1 ? "" : fmt::format("{} to ", *sizes.begin());
+  return fewest + base::counted(*sizes.rbegin(), noun);
+}
+
+// Returns the p of Friedman's test, if the blocks are too few to test any pair; otherwise empty.
+std::string friedman_sentence(const JudgedMetric& judged) {
+  const auto has_few_blocks = [](const Comparison& comparison) {
+    return is_not_tested(comparison, NotTestedReason::sample_too_small);
+  };
+  if (judged.comparisons.empty() || judged.plan.test != results::AnalysisPlan::Test::ranks || is_success_rate(judged) ||
+      !std::ranges::all_of(judged.comparisons, has_few_blocks))
+    return "";
+  const std::vector<OmnibusTest> tests = friedman(judged.samples);
+  if (tests.empty()) return "";
+  const std::string p = p_text(tests.front().p, {judged.plan.significance});
+  return fmt::format(" {} of all {}: p {}{}.", friedman_name, judged.samples.groups.size(), p[0] == '<' ? "" : "= ", p);
+}
+
+// Returns the sentences that name the tests of metrics with few blocks.
+std::string few_blocks_sentences(const ReportModel& model) {
+  std::string text = friedman_sentence(model.primary());
+  for (const HeadlineQuestion& question : model.questions) {
+    const JudgedMetric& judged = model.metrics[question.metric];
+    if (!are_by_closed_tests(judged.comparisons)) continue;
+    const std::string blocks = closed_sizes(judged, observation_noun(model, judged));
+    const std::string quantity = &judged == &model.primary() ? "" : " in " + judged.samples.quantity;
+    text += fmt::format(" The {} are compared{} by {}.", blocks, quantity, closed_tests_name);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string tie_breaker_sentence(const ReportModel& model) {
@@ -538,7 +576,7 @@ std::string headline(const ReportModel& model) {
   if (!model.verdict.empty()) return model.verdict;
   const std::string first = QuestionTeller(model, model.questions.front()).primary_sentence();
   const std::string second = tie_breaker_sentence(model);
-  return second.empty() ? first : first + ' ' + second;
+  return (second.empty() ? first : first + ' ' + second) + few_blocks_sentences(model);
 }
 
 std::string ranking_note(const ReportModel& model) {

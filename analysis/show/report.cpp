@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "analysis/judge/statistics/closed_tests.hpp"
 #include "analysis/judge/statistics/omnibus.hpp"
 #include "analysis/show/hard_targets.hpp"
 #include "analysis/show/headline.hpp"
@@ -137,8 +138,10 @@ std::vector<Table> setup_tables(const Report& report) {
   const std::size_t metrics = report.model.named_metrics;
   if (!tests.empty())
     add(of_study, "significance",
-        fmt::format("{} for all pairs{} (Bonferroni); equivalence margin {}", number_text(decisive.plan.significance),
+        fmt::format("{} for all pairs{} ({}); equivalence margin {}", number_text(decisive.plan.significance),
                     metrics == 1 ? "" : fmt::format(" of the {} metrics that the plan names", metrics),
+                    tests.contains(std::string(closed_tests_name)) ? "closed tests of few blocks, otherwise Bonferroni"
+                                                                   : "Bonferroni",
                     margin_text(decisive)));
   for (const char* fact : {"cpu", "os", "compiler", "build_type", "version", "commit", "jobs", "date"})
     add(machine, with_spaces(fact), listed_of(environment_values(study, fact)));

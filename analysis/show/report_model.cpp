@@ -286,6 +286,13 @@ ReportModel make_report_model(const JudgedStudy& judged) {
   return model;
 }
 
+std::vector<std::string> closed_metrics(const ReportModel& model) {
+  std::vector<std::string> names;
+  for (const JudgedMetric& judged : model.metrics)
+    if (are_by_closed_tests(judged.comparisons)) names.push_back(judged.samples.quantity);
+  return names;
+}
+
 std::string observation_noun(const ReportModel& model, const JudgedMetric& judged) {
   return judged.samples.quantity_kind == QuantityKind::time ? "sessions" : model.noun;
 }

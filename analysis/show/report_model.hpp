@@ -51,6 +51,8 @@ struct ReportModel {
   std::vector<judge::Warning> all_warnings() const;
 };
 
+// Returns the names of the metrics whose pairs closed tests decide, because their blocks are few.
+std::vector<std::string> closed_metrics(const ReportModel& model);
 // Returns the model of these metrics, with shares solved in percent. `primary` is the place of the metric that becomes
 // the first. With a control, the control is the second solver of each pair.
 ReportModel make_report_model(std::vector<judge::JudgedMetric> metrics, std::size_t primary = 0,

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/judge/statistics/closed_tests.hpp"
 #include "analysis/judge/statistics/omnibus.hpp"
 #include "analysis/show/hard_targets.hpp"
 #include "analysis/show/headline.hpp"
@@ -228,6 +229,15 @@ std::string numbers_note(const ReportModel& model, const CellKinds& kinds) {
                      model.direction);
 }
 
+// Returns ", corrected", or the names of the tests if the blocks of a metric are few.
+std::string correction_text(const ReportModel& model) {
+  const std::vector<std::string> closed = closed_metrics(model);
+  if (closed.size() == model.metrics.size()) return fmt::format(", {}", closed_tests_name);
+  if (!closed.empty()) return fmt::format(", corrected; {}: {}", listed(closed), closed_tests_name);
+  const bool is_corrected = model.order.size() > 2 || model.named_metrics > 1 || !model.verdict.empty();
+  return is_corrected ? ", corrected" : "";
+}
+
 std::string marks_note(const ReportModel& model, const CellKinds& kinds) {
   const auto has_exact_differences = [](const JudgedMetric& judged) {
     return std::ranges::any_of(judged.comparisons, [](const Comparison& comparison) {
@@ -235,9 +245,8 @@ std::string marks_note(const ReportModel& model, const CellKinds& kinds) {
     });
   };
   const AnalysisPlan& plan = model.primary().plan;
-  const bool is_corrected = model.order.size() > 2 || model.named_metrics > 1 || !model.verdict.empty();
   const std::string tests =
-      fmt::format(" (p < {}{}{})", number_text(plan.significance), is_corrected ? ", corrected" : "",
+      fmt::format(" (p < {}{}{})", number_text(plan.significance), correction_text(model),
                   std::ranges::any_of(model.metrics, has_exact_differences) ? ", or deterministic" : "");
   return marks_text(kinds.marks, compared_with(model, reference_of(model)) + tests, too_few_text(model));
 }
@@ -387,8 +396,17 @@ Column result_head(const ReportModel& model, const JudgedMetric& judged) {
 std::string how_p_is_adjusted(const ReportModel& model) {
   const std::string metrics =
       model.named_metrics == 1 ? "" : fmt::format(" and by the {} metrics that the plan names", model.named_metrics);
-  return fmt::format(
-      "p is multiplied by the number of pairs tested in its metric{}; intervals hold for all pairs at once.", metrics);
+  const std::vector<std::string> closed = closed_metrics(model);
+  std::string text;
+  if (closed.size() < model.metrics.size())
+    text = fmt::format(
+        "p is multiplied by the number of pairs tested in its metric{}; intervals hold for all pairs at once.",
+        metrics);
+  if (closed.empty()) return text;
+  const std::string shared =
+      model.named_metrics == 1 ? "" : fmt::format(", times the {} metrics that the plan names", model.named_metrics);
+  return fmt::format("{}{}In {}, p is the largest of a pair's {}{}; an interval would not hold for all pairs.", text,
+                     text.empty() ? "" : " ", listed(closed), closed_tests_name, shared);
 }
 
 }  // namespace
@@ -560,6 +578,8 @@ Table omnibus_table(const ReportModel& model) {
     if (!without.empty() && !tests.empty()) left_out.add(names_of(without), quantity);
   }
   table.notes = {"Verdicts rest on the pairwise comparisons, not on these tests."};
+  if (const std::vector<std::string> closed = closed_metrics(model); !closed.empty())
+    table.notes.push_back(fmt::format("Friedman's is one of the closed tests of {}.", listed(closed)));
   std::ranges::move(left_out.formatted("{} left out: deterministic or not comparable ({})."),
                     std::back_inserter(table.notes));
   return table;

@@ -3,6 +3,7 @@
 
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 
 #include "analysis/csv/user_csv.hpp"
 #include "analysis/show/headline.hpp"
@@ -317,7 +318,13 @@ using Rights = std::map<std::pair<std::string, std::string>, Right>;  // of the 
 bool is_constant(const Reals& values) { return std::ranges::count(values, values[0]) == std::ssize(values); }
 Real centre_of(const Table& table, const Reals& values) { return table.by_ranks ? median_of(values) : mean_of(values); }
 
-Right right_of(const Table& table, const Reals& first, const Reals& second, Real tests) {
+// What closed tests add to the test of a pair: the largest scaled p of all sets of three and more that have both.
+struct Closed {
+  Real largest = 0, groups = 0;
+};
+
+Right right_of(const Table& table, const Reals& first, const Reals& second, Real tests,
+               const std::optional<Closed>& closed) {
   const Real level = 0.05L / tests, m = real(first.size()), n = real(second.size());
   const auto scaled = [&](Real value) { return table.is_ratio() ? std::log(value / 1000) : value / 1000; };
   const auto shown = [&](Real value) { return table.is_ratio() ? std::exp(value) : value; };
@@ -345,11 +352,13 @@ Right right_of(const Table& table, const Reals& first, const Reals& second, Real
     return result.interval.value_or(Boundaries(result.estimate, result.estimate));
   };
   const Real apart = centre_of(table, a) - centre_of(table, b);
-  const bool is_decided = found.p * tests < 0.05L, has_width = held(found).first < held(found).second;
+  const Real adjusted = closed ? std::max(closed->largest, 1 - std::pow(1 - found.p, closed->groups / 2))
+                               : std::min(Real(1), found.p * tests);
+  const bool is_decided = adjusted < 0.05L, has_width = held(found).first < held(found).second;
   const bool could_fail =
       !has_width && (are_equal || !is_decided) && 1 - wilson_ends(1, std::min(m, n), level).first > 0.05L;
-  const bool is_same =
-      is_inside(held(found)) && is_inside({apart, apart}) && !could_fail && (!table.by_ranks || is_inside(held(t)));
+  const bool is_same = !closed && is_inside(held(found)) && is_inside({apart, apart}) && !could_fail &&
+                       (!table.by_ranks || is_inside(held(t)));
   const auto share_of = [&](int sign) {
     return real(std::ranges::count(differences, sign, sign_of)) / real(differences.size());
   };
@@ -358,8 +367,7 @@ Right right_of(const Table& table, const Reals& first, const Reals& second, Real
     return std::ranges::max(values) > sum_of(values) / 2;
   };
   const int good = table.is_larger ? 1 : -1;
-  Right right{
-      .p = std::min(Real(1), found.p * tests), .none = shown(0), .ahead = share_of(good), .behind = share_of(-good)};
+  Right right{.p = adjusted, .none = shown(0), .ahead = share_of(good), .behind = share_of(-good)};
   right.few_decide = !table.is_share && table.by_means && (is_decided || is_same) && (one_decides(a) || one_decides(b));
   right.estimate = shown(found.estimate);
   if (right.few_decide || (!is_decided && !is_same))
@@ -387,6 +395,48 @@ Real smallest_of(const Table& table, std::size_t m, std::size_t n) {
   return (table.is_share && m != n ? 1 : 2) / choose(m + n, m);
 }
 
+// The p of Friedman's test of some groups, which have the same blocks, from the last one back.
+Real friedman_tail(const Table& table, const std::vector<std::size_t>& set, std::size_t blocks) {
+  const Real k = real(set.size()), n = real(blocks);
+  Reals sums(set.size());
+  Real squares = 0, mean = n * (k + 1) / 2;  // of all ranks from their mean
+  for (std::size_t block = 1; block <= blocks; ++block) {
+    Reals row;
+    for (const std::size_t group : set) row.push_back(table.groups[group][table.groups[group].size() - block]);
+    const std::vector<std::size_t> ranks = twice_ranks(row);
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      sums[i] += real(ranks[i]) / 2;
+      squares += (real(ranks[i]) - k - 1) * (real(ranks[i]) - k - 1) / 4;
+    }
+  }
+  Real between = 0;
+  for (const Real sum : sums) between += (sum - mean) * (sum - mean);
+  if (squares == 0) return 1;
+  return boost::math::gamma_q(static_cast<double>(k - 1) / 2, static_cast<double>((k - 1) * between / squares) / 2);
+}
+
+// The largest p of all sets that have both groups, each as (1 - p)^(groups / size) would have it.
+Closed closed_of(const Table& table, std::size_t first, std::size_t second, std::size_t blocks) {
+  const std::size_t k = table.groups.size();
+  Closed closed{.groups = real(k)};
+  for (std::size_t bits = 0; bits < (std::size_t{1} << k); ++bits) {
+    std::vector<std::size_t> set;
+    for (std::size_t group = 0; group < k; ++group)
+      if ((bits >> group & 1U) != 0) set.push_back(group);
+    if (set.size() < 3 || std::ranges::count(set, first) + std::ranges::count(set, second) < 2) continue;
+    const Real power = set.size() + 1 < k ? real(k) / real(set.size()) : 1;
+    closed.largest = std::max(closed.largest, 1 - std::pow(1 - friedman_tail(table, set, blocks), power));
+  }
+  return closed;
+}
+
+// Whether closed tests compare paired ranks where no pair could decide alone.
+bool are_closed(const Table& table, std::size_t blocks) {
+  const std::size_t k = table.groups.size();
+  if (!table.is_paired || !table.by_ranks || k < 4 || k > 12) return false;
+  return std::pow(Real(2), 1 - real(blocks)) < 1 - std::pow(0.95L, 2 / real(k));
+}
+
 // Pairs leave while the level that all share is too small for the least able of them.
 Rights rights_of(const Table& table) {
   std::map<std::pair<std::size_t, std::size_t>, Real> family;
@@ -397,16 +447,22 @@ Rights rights_of(const Table& table) {
       family[{i, j}] = smallest_of(table, table.common(i, j).size(), table.common(j, i).size());
     }
   }
+  const auto all = family;
   const auto p_of = [](const auto& member) { return member.second; };
   while (!family.empty()) {
     const Real worst = p_of(*std::ranges::max_element(family, {}, p_of));
     if (worst < 0.05L / real(family.size())) break;
     std::erase_if(family, [&](const auto& member) { return p_of(member) == worst; });
   }
+  std::size_t blocks = table.groups[0].size();  // that all groups have
+  for (const Reals& values : table.groups) blocks = std::min(blocks, values.size());
+  const bool is_closed = family.empty() && are_closed(table, blocks);
+  if (is_closed) family = all;
   for (const auto& [pair, p] : family) {
     const std::string one = table.name(pair.first), other = table.name(pair.second);
+    const auto closed = is_closed ? std::optional(closed_of(table, pair.first, pair.second, blocks)) : std::nullopt;
     const Right right = right_of(table, table.common(pair.first, pair.second), table.common(pair.second, pair.first),
-                                 real(family.size()));
+                                 real(family.size()), closed);
     rights[{one, other}] = rights[{other, one}] = right;
     rights[{other, one}].verdict = reversed(right.verdict);
   }

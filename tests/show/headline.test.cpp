@@ -148,6 +148,11 @@ TEST_CASE("a headline says who wins, over whom, and what is unsure", "[show]") {
   add("stats, one inconclusive",
       of_file({{"B", values_around(138, 0.5)}, {"A", values_around(140, 0.5)}, {"placebo", values_around(300, 0.5)}},
               false));
+  add("stats, few blocks", of_file({{"NPK", {4.1, 4.3, 3.9, 4.0, 4.2, 4.4, 3.8}},
+                                    {"NP", {4.0, 4.35, 3.7, 3.9, 4.25, 4.3, 3.75}},
+                                    {"N", {3.5, 3.6, 3.3, 3.4, 3.7, 3.8, 3.2}},
+                                    {"none", {2.4, 2.5, 2.2, 2.3, 2.6, 2.7, 2.1}}},
+                                   true));
   add("stats, too few", of_file({{"NPK", {4.08, 4.1}}, {"N", {3.87, 3.9}}, {"none", {2.44, 2.5}}}, true));
   check_golden("headline-table.txt", all);
 }

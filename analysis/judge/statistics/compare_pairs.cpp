@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/judge/statistics/closed_tests.hpp"
 #include "analysis/judge/statistics/descriptives.hpp"
 #include "analysis/judge/statistics/pair_data.hpp"
 #include "base/names.hpp"
@@ -108,6 +111,15 @@ std::size_t size_of(const Group& group) {
   return values_of(group).size();
 }
 
+// The result of the closed tests of a pair, but for that of its own test.
+struct ClosedTests {
+  double largest_p;    // scaled, of the sets of at least three groups that have both
+  std::size_t groups;  // all that are tested
+  double metrics;      // that share the significance
+
+  double adjusted_p(double p) const { return std::min(1.0, metrics * std::max(largest_p, scaled_p(p, 2, groups))); }
+};
+
 // Two groups of the samples. Pairs are many, so no pair holds values, and the samples must outlive the pair.
 struct Pair {
   const Group *a, *b;
@@ -117,6 +129,7 @@ struct Pair {
   double smallest_p = 1;
   int n = 0;
   std::optional<NotTested> not_tested = {};  // decided before any p is known
+  std::optional<ClosedTests> closed = {};    // only where the pair cannot decide by itself
 
   bool has_deterministic() const { return is_deterministic(*a) || is_deterministic(*b); }
   bool are_both_deterministic() const { return is_deterministic(*a) && is_deterministic(*b); }
@@ -319,11 +332,13 @@ Comparison judged_on_common(const MetricSamples& samples, const AnalysisPlan& pl
   }
   constexpr double enough_solved = 20;  // with fewer, an interval of costs with heavy tails misses too often
   const bool are_enough = trial.numbers.solved_targets >= enough_solved;
-  const bool is_same = are_enough && (trial.is_same || (takes_logs && samples.absolute_margin > 0 &&
-                                                        trial_of(samples, plan, pair, false, alpha).is_same));
-  TestResult tested{.adjusted_p = std::min(1.0, outcome.p * tests),
+  // No interval of closed tests holds for all pairs, so that no closed test shows that a difference is small.
+  const bool is_same = are_enough && !pair.closed &&
+                       (trial.is_same || (takes_logs && samples.absolute_margin > 0 &&
+                                          trial_of(samples, plan, pair, false, alpha).is_same));
+  TestResult tested{.adjusted_p = pair.closed ? pair.closed->adjusted_p(outcome.p) : std::min(1.0, outcome.p * tests),
                     .dominance = dominance_of(samples, pair, trial.numbers),
-                    .test = pair.method->name,
+                    .test = pair.closed ? closed_tests_name : pair.method->name,
                     .n = pair.n};
   const bool is_decided = tested.adjusted_p < plan.significance;
   const bool are_means = pair.method->by == By::means && !is_proportion(samples);
@@ -475,6 +490,51 @@ std::size_t testable(std::vector<std::vector<Pair>>& members, double significanc
   return family.size();
 }
 
+// Returns the pairs that signed ranks would test if the blocks were more; empty if another pair is tested.
+std::vector<Pair*> with_few_blocks(std::vector<Pair>& pairs) {
+  std::vector<Pair*> few;
+  for (Pair& pair : pairs) {
+    if (!pair.not_tested && !pair.are_both_deterministic()) return {};
+    if (!pair.not_tested || pair.not_tested->reason != NotTestedReason::sample_too_small) continue;
+    if (pair.method == &signed_ranks) few.push_back(&pair);
+  }
+  return few;
+}
+
+// Lets closed tests decide the pairs of one metric, if signed ranks cannot decide any of them, and if the blocks that
+// all groups have suffice. Otherwise sets how many blocks would suffice. Returns the number of pairs that are tested.
+std::size_t add_closed_tests(const MetricSamples& samples, std::vector<Pair>& pairs, double significance,
+                             double metrics) {
+  const std::vector<Pair*> few = with_few_blocks(pairs);
+  std::map<std::size_t, std::size_t> places;  // in `groups`, by the places in the samples
+  for (const Pair* const pair : few) {
+    places.try_emplace(pair->first_index);
+    places.try_emplace(pair->second_index);
+  }
+  if (!may_be_closed(places.size())) return 0;
+  std::vector<Group> groups;
+  for (auto& [index, place] : places) {
+    place = groups.size();
+    groups.push_back(samples.groups[index]);
+  }
+  const std::vector<std::vector<double>> columns =
+      settled_blocks(std::move(groups), samples, few.front()->scale == EffectScale::ratio);
+  const std::size_t k = columns.size(), blocks = columns.front().size();
+  const double level = level_of_set(2, k, significance);
+  if (min_p_paired(blocks) >= level) {
+    for (Pair* const pair : few)
+      if (pair->smallest_p >= level) pair->not_tested->required_n = smallest_testable_n(*pair, level);
+    return 0;
+  }
+  const std::vector<double> largest = largest_p_of_sets({columns.begin(), columns.end()});
+  for (Pair* const pair : few) {
+    const std::size_t place = places.at(pair->first_index) * k + places.at(pair->second_index);
+    pair->closed = ClosedTests{.largest_p = largest[place], .groups = k, .metrics = metrics};
+    pair->not_tested.reset();
+  }
+  return few.size();
+}
+
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
@@ -507,6 +567,13 @@ Verdict verdict_of(const Comparison& comparison) {
 bool is_not_tested(const Comparison& comparison, NotTestedReason reason) {
   const auto* const not_tested = std::get_if<NotTested>(&comparison.result);
   return not_tested != nullptr && not_tested->reason == reason;
+}
+
+bool are_by_closed_tests(const std::vector<Comparison>& comparisons) {
+  return std::ranges::any_of(comparisons, [](const Comparison& comparison) {
+    const auto* const tested = std::get_if<TestResult>(&comparison.result);
+    return tested != nullptr && tested->test == closed_tests_name;
+  });
 }
 
 bool all_values_equal(const Comparison& comparison) {
@@ -567,7 +634,10 @@ std::vector<std::vector<Comparison>> compare_pairs(const std::vector<FamilyMembe
     members.push_back(pairs_of(*family[i].samples, sorted[i], *family[i].plan));
   const auto shares = static_cast<double>(metrics);
   const double significance = family.front().plan->significance / shares;
-  const double tests = shares * static_cast<double>(std::max<std::size_t>(1, testable(members, significance)));
+  std::size_t tested = testable(members, significance);
+  if (tested == 0 && family.size() == 1)
+    tested = add_closed_tests(*family[0].samples, members[0], significance, shares);
+  const double tests = shares * static_cast<double>(std::max<std::size_t>(1, tested));
   std::vector<std::vector<Comparison>> comparisons(family.size());
   for (std::size_t i = 0; i < family.size(); ++i)
     for (const Pair& pair : members[i])

@@ -102,6 +102,8 @@ Verdict verdict_of(const Comparison& comparison);
 constexpr double null_value(EffectScale scale) { return scale == EffectScale::ratio ? 1 : 0; }
 // Returns whether a pair is not tested for this reason.
 bool is_not_tested(const Comparison& comparison, NotTestedReason reason);
+// Returns whether closed tests decided one of the pairs (closed_tests.hpp), and so all pairs that have a p.
+bool are_by_closed_tests(const std::vector<Comparison>& comparisons);
 // Returns whether no value of the one group differs from one of the other.
 bool all_values_equal(const Comparison& comparison);
 
@@ -115,10 +117,11 @@ bool all_values_equal(const Comparison& comparison);
 //   the same with a file's equal values, perhaps copies   sign test and Mann-Whitney       signed ranks
 //   runs with the value of a deterministic solver         sign test; shares and logarithms: one-sample t
 //
-// A pair is decided at the significance divided by the size of the family and by `metrics`. The family are the pairs
-// that samples of these sizes could decide at all; `metrics` is the number of metrics that share the significance.
-// Throws std::invalid_argument if the control is no group. Preconditions: paired groups without blocks have equal
-// sizes, and values that are compared by ratios are above 0, or have a floor above 0.
+// If signed ranks could decide none of the pairs of four to twelve groups, closed tests do where they can
+// (closed_tests.hpp). Otherwise a pair is decided at the significance divided by the size of the family and by
+// `metrics`. The family are the pairs that samples of these sizes could decide at all; `metrics` is the number of
+// metrics that share the significance. Throws std::invalid_argument if the control is no group. Preconditions: paired
+// groups without blocks have equal sizes, and values that are compared by ratios are above 0, or have a floor above 0.
 std::vector<Comparison> compare_pairs(const MetricSamples& samples, const AnalysisPlan& plan, std::size_t metrics = 1);
 
 // One metric of one study in a family of several, such as the studies of all labels that two stores have.

@@ -132,6 +132,34 @@ std::vector<OmnibusTest> anova_of_groups(const std::vector<SummaryStatistics>& g
   return {with_f(test), with_p(welch)};
 }
 
+// Returns Friedman's chi-squared, corrected for ties. NaN if all values of each block are equal.
+double friedman_statistic(const std::vector<std::span<const double>>& groups) {
+  const std::size_t blocks = groups.front().size();
+  const auto k = static_cast<double>(groups.size()), n = static_cast<double>(blocks);
+  std::vector<double> rank_sums(groups.size());
+  double ties = 0;  // the sum of t^3 - t over all ties of t values
+  for (std::size_t block = 0; block < blocks; ++block) {
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const double value = groups[g][block];
+      double smaller = 0, equal = 0;
+      for (const std::span<const double> other : groups) {
+        smaller += other[block] < value ? 1 : 0;
+        equal += other[block] == value ? 1 : 0;
+      }
+      rank_sums[g] += smaller + (equal + 1) / 2;
+      ties += equal * equal - 1;  // each of t equal values adds its share of t^3 - t
+    }
+  }
+  double squares = 0;
+  for (const double sum : rank_sums) squares += (sum - n * (k + 1) / 2) * (sum - n * (k + 1) / 2);
+  const double spread = n * k * (k + 1) - ties / (k - 1);
+  return spread > 1e-9 ? 12 * squares / spread : unknown;
+}
+
+double p_of_chi_squared(double statistic, double df) {
+  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(df), statistic));
+}
+
 }  // namespace
 
 std::vector<OmnibusTest> anova(const MetricSamples& samples) {
@@ -147,33 +175,22 @@ std::vector<OmnibusTest> friedman(const MetricSamples& samples) {
   std::vector<Group*> pointers;
   for (Group& group : groups) pointers.push_back(&group);
   keep_common_blocks(pointers);
-  const std::size_t groups_count = groups.size(), blocks_count = values_of(groups.front()).size();
-  const auto k = static_cast<double>(groups_count), n = static_cast<double>(blocks_count);
-  if (blocks_count < 2) return {};
-  std::vector<double> rank_sums(groups_count);
-  double ties = 0;  // the sum of t^3 - t over all ties of t values
-  for (std::size_t block = 0; block < blocks_count; ++block) {
-    for (std::size_t g = 0; g < groups_count; ++g) {
-      const double value = values_of(groups[g])[block];
-      double smaller = 0, equal = 0;
-      for (const Group& other : groups) {
-        smaller += values_of(other)[block] < value ? 1 : 0;
-        equal += values_of(other)[block] == value ? 1 : 0;
-      }
-      rank_sums[g] += smaller + (equal + 1) / 2;
-      ties += equal * equal - 1;  // each of t equal values adds its share of t^3 - t
-    }
-  }
-  double squares = 0;
-  for (const double sum : rank_sums) squares += (sum - n * (k + 1) / 2) * (sum - n * (k + 1) / 2);
-  const double spread = n * k * (k + 1) - ties / (k - 1);
-  if (!(spread > 1e-9)) return {};
-  OmnibusTest test{.name = friedman_name, .statistic = 12 * squares / spread, .df = k - 1};
-  test.p = boost::math::cdf(boost::math::complement(boost::math::chi_squared(test.df), test.statistic));
+  std::vector<std::span<const double>> columns;
+  for (const Group& group : groups) columns.push_back(values_of(group));
+  const auto k = static_cast<double>(columns.size()), n = static_cast<double>(columns.front().size());
+  if (n < 2) return {};
+  OmnibusTest test{.name = friedman_name, .statistic = friedman_statistic(columns), .df = k - 1};
+  if (std::isnan(test.statistic)) return {};
+  test.p = p_of_chi_squared(test.statistic, test.df);
   OmnibusTest iman_davenport{.name = iman_davenport_name, .df = k - 1, .df_within = (k - 1) * (n - 1)};
   iman_davenport.statistic = (n - 1) * test.statistic / (n * (k - 1) - test.statistic);
   if (!(iman_davenport.statistic >= 0) || std::isinf(iman_davenport.statistic)) return {test};  // all blocks agree
   return {test, with_p(iman_davenport)};
+}
+
+double friedman_p(const std::vector<std::span<const double>>& groups) {
+  const double statistic = friedman_statistic(groups);
+  return std::isnan(statistic) ? 1 : p_of_chi_squared(statistic, static_cast<double>(groups.size() - 1));
 }
 
 double critical_difference(std::size_t groups, std::size_t blocks) {

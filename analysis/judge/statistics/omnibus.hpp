@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,9 @@ constexpr std::string_view friedman_name = "Friedman's test", iman_davenport_nam
 // success, unpaired samples, fewer than three groups or two blocks, missing values, or if all values of each block are
 // equal.
 std::vector<OmnibusTest> friedman(const MetricSamples& samples);
+// Returns the p of Friedman's test of groups with the same blocks, in the same order; 1 if all values of each block are
+// equal.
+double friedman_p(const std::vector<std::span<const double>>& groups);
 // Returns Nemenyi's critical difference of mean ranks at 0.05 (Demsar, J. Machine Learning Research 7 (2006) 1). NaN
 // for fewer than 2 and for more than 20 groups.
 double critical_difference(std::size_t groups, std::size_t blocks);

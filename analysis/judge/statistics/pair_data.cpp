@@ -83,6 +83,22 @@ void keep_common_blocks(const std::vector<Group*>& groups) {
   }
 }
 
+std::vector<std::vector<double>> settled_blocks(std::vector<Group> groups, const MetricSamples& samples,
+                                                bool has_floor) {
+  std::vector<Group*> pointers;
+  for (Group& group : groups) pointers.push_back(&group);
+  keep_common_blocks(pointers);
+  std::vector<std::vector<double>> columns;
+  for (const Group& group : groups) columns.emplace_back(values_of(group).begin(), values_of(group).end());
+  for (std::size_t block = 0; block < columns.front().size(); ++block) {
+    std::vector<double> values;
+    for (const std::vector<double>& column : columns) values.push_back(column[block]);
+    settle(values, samples, has_floor);
+    for (std::size_t group = 0; group < columns.size(); ++group) columns[group][block] = values[group];
+  }
+  return columns;
+}
+
 PairData make_pair_data(const Group& first, const Group& second, const MetricSamples& samples, bool is_by_difference,
                         bool takes_logs) {
   const std::span<const double> of_first = values_of(first), of_second = values_of(second);

@@ -34,6 +34,11 @@ struct PairData {
 // Removes the values of blocks that not all groups have. Groups without a Sample are left alone.
 void keep_common_blocks(const std::vector<Group*>& groups);
 
+// Returns the values of each group in the blocks that all groups have. Values of a block that differ by no more than
+// their rounding become equal, and so do values below the floor if there is one.
+std::vector<std::vector<double>> settled_blocks(std::vector<Group> groups, const MetricSamples& samples,
+                                                bool has_floor);
+
 // Makes the numbers of a pair. If logarithms are taken, values below the floor of the metric count as the floor. Values
 // that differ by no more than their rounding become equal. Paired values without blocks belong together by their
 // places.
