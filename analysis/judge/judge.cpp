@@ -1,6 +1,7 @@
 #include "analysis/judge/judge.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -24,17 +25,22 @@ std::vector<bool> beaten_groups(const JudgedMetric& judged) {
   return is_beaten;
 }
 
-// Adds a warning that names all groups whose mean a few values dominate, if a comparison is inconclusive for this
-// reason.
+// Adds a warning that names the groups whose mean a few values dominate, of the comparisons that are inconclusive for
+// this reason. Where only the differences of two groups are dominated, both are named.
 void add_dominance_warning(JudgedMetric& judged) {
+  std::set<std::size_t> dominated;
+  for (const Comparison& comparison : judged.comparisons) {
+    if (!is_not_tested(comparison, NotTestedReason::dominated)) continue;
+    const std::array both{comparison.first_index, comparison.second_index};
+    const auto is_dominated_group = [&](std::size_t group) { return is_dominated(judged.samples.groups[group]); };
+    const bool is_any = std::ranges::any_of(both, is_dominated_group);
+    for (const std::size_t group : both)
+      if (!is_any || is_dominated_group(group)) dominated.insert(group);
+  }
+  if (dominated.empty()) return;
   Warning warning{.kind = WarningKind::dominated_by_few,
                   .detail = (is_log_scale(judged.samples) ? "" : "mean ") + judged.samples.quantity};
-  const auto is_dominated_pair = [](const Comparison& comparison) {
-    return is_not_tested(comparison, NotTestedReason::dominated);
-  };
-  if (std::ranges::none_of(judged.comparisons, is_dominated_pair)) return;
-  for (const Group& group : judged.samples.groups)
-    if (!excluded(group) && is_dominated(group)) warning.solvers.push_back(group.name);
+  for (const std::size_t group : dominated) warning.solvers.push_back(judged.samples.groups[group].name);
   judged.samples.warnings.push_back(std::move(warning));
 }
 

@@ -277,7 +277,7 @@ TEST_CASE("a plan by means has Welch's and the paired t, of differences", "[comp
   CHECK(*in_blocks.effect == 0.95);                                    // nine of ten smaller, one equal
 }
 
-TEST_CASE("means need three values: of two the larger is more than half of their sum", "[compare]") {
+TEST_CASE("means need three values, because two say too little of a spread", "[compare]") {
   for (const bool is_paired : {false, true}) {
     for (int n = 1; n <= 3; ++n) {
       MetricSamples of = groups_of({ramp(n, 1, 0.001), ramp(n, 50, 0.01)});
@@ -287,6 +287,29 @@ TEST_CASE("means need three values: of two the larger is more than half of their
       CHECK(found.needed == (n < 3 ? 3 : 0));
     }
   }
+}
+
+TEST_CASE("a common value added to all changes no verdict of means", "[compare]") {
+  const auto verdict = [](const Lists& lists, bool is_paired, double shift) {
+    Lists shifted = lists;
+    for (std::vector<double>& values : shifted)
+      for (double& value : values) value += shift;
+    MetricSamples of = groups_of(shifted);
+    of.is_paired = is_paired;
+    return only(compared(of, by_means));
+  };
+  Lists far = {ramp(40, 0, 0.0001), ramp(40, 0.2, 0.0001)}, near = far;
+  far[0][39] = 1;      // lies farther than the means lie apart
+  near[0][39] = 0.05;  // lies farther from the median than all others together, but decides nothing
+  for (const double shift : {0.0, 10.0, 1000.0}) {
+    CHECK(verdict(far, false, shift).why == ResultKind::few_decide);
+    CHECK(verdict(near, false, shift).verdict == Verdict::better);
+    CHECK(verdict(near, true, shift).verdict == Verdict::better);
+  }
+  // A hard block that both have decides nothing of their differences.
+  Lists hard = {{1, 1.1, 1.2, 1.3, 900}, {2, 2.2, 2.1, 2.4, 901.2}};
+  CHECK(verdict(hard, true, 0).verdict == Verdict::better);
+  CHECK(verdict(hard, false, 0).verdict == Verdict::inconclusive);
 }
 
 TEST_CASE("published summaries are judged by Welch's t, of differences", "[compare]") {

@@ -362,20 +362,30 @@ Right right_of(const Table& table, const Reals& first, const Reals& second, Real
   const auto share_of = [&](int sign) {
     return real(std::ranges::count(differences, sign, sign_of)) / real(differences.size());
   };
-  const auto one_decides = [](Reals values) {
-    for (Real& value : values) value = std::abs(value);
-    return std::ranges::max(values) > sum_of(values) / 2;
+  const auto one_decides = [&](Reals values) {
+    const Real middle = median_of(values);
+    for (Real& value : values) value = std::abs(value - middle);
+    const Real most = std::ranges::max(values) * (1 - 1e-9L);
+    return most > sum_of(values) / 2 && most > 2 * std::abs(t.estimate);
   };
   const int good = table.is_larger ? 1 : -1;
   Right right{.p = adjusted, .none = shown(0), .ahead = share_of(good), .behind = share_of(-good)};
-  right.few_decide = !table.is_share && table.by_means && (is_decided || is_same) && (one_decides(a) || one_decides(b));
+  const auto one_is_half = [](Reals values) {
+    for (Real& value : values) value = std::abs(value);
+    return std::ranges::max(values) > sum_of(values) / 2;
+  };
+  const bool are_means = !table.is_share && table.by_means;
+  const bool is_margin_of_one = are_means && (one_is_half(a) || one_is_half(b));
+  const bool rests_on_one = table.is_paired ? one_decides(differences) : one_decides(a) || one_decides(b);
+  right.few_decide = is_decided ? are_means && rests_on_one : is_same && is_margin_of_one;
   right.estimate = shown(found.estimate);
   if (right.few_decide || (!is_decided && !is_same))
     right.verdict = Verdict::inconclusive;
   else if (!is_decided)
     right.verdict = Verdict::equivalent;
   else
-    right.verdict = found.direction == good ? Verdict::better : Verdict::worse, right.is_small = is_same;
+    right.verdict = found.direction == good ? Verdict::better : Verdict::worse,
+    right.is_small = is_same && !is_margin_of_one;
   if (right.few_decide || !found.interval || (right.verdict == Verdict::inconclusive && !has_width))
     found.interval.reset();
   const bool is_refuted = is_difference(right.verdict) && sign_of(found.estimate) != found.direction;

@@ -336,7 +336,7 @@ std::string warning_text(const Warning& warning) {
       "times{of_who} are not compared: {what}{to_do}",
       "{share} targets per run are unreachable: no solver can solve them",
       "{who} {are} not tested in {what}: all {count} values are equal, or rounding removed their spread",
-      "a few values dominate the {what} of {who}: {its} pairs are inconclusive",
+      "a few values dominate the {what} of {who}: pairs that these values decide are inconclusive",
       "{first} ranks better than {last} although its {what} is worse",
       "leaving rows out may favour {who}: {what} of the values are missing, depending on the group",
       "{who} each have one value in all blocks, as if one measurement had been copied",

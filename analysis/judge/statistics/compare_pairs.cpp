@@ -30,7 +30,7 @@ struct Method {
   // Returns the smallest p that groups of `m` and `n` values with a number of differences can give.
   double smallest_p(std::size_t m, std::size_t n, std::size_t differences) const {
     const std::size_t few = std::min(m, n);
-    // Two values never decide by means, because the larger of two is more than half of the sum.
+    // Two values never decide by means, because two say too little of a spread.
     if (by == By::means && (m == n || !is_by_difference)) return few < 3 ? 1 : 0;
     const double by_differences = is_by_difference ? min_p_paired(differences) : 0;
     if (is_by_difference && !is_by_values_too) return by_differences;
@@ -312,6 +312,49 @@ std::optional<Interval> open_interval(const std::optional<Interval>& interval, d
   return wide;
 }
 
+// Returns how far the value that lies farther from the median than all others together lies from it; 0 if there is
+// none.
+double lone_distance(const std::vector<double>& values) {
+  if (values.empty()) return 0;
+  const double median = describe_values(values).median;
+  double largest = 0, sum = 0;
+  for (const double value : values) {
+    largest = std::max(largest, std::abs(value - median));
+    sum += std::abs(value - median);
+  }
+  return largest * (1 - 1e-9) > sum / 2 ? largest : 0;  // equal up to rounding is not farther
+}
+
+// Returns whether a group of costs per success is worth too few values for a verdict.
+bool is_worth_little(const Group& group) {
+  const Sample* const sample = sample_of(group);
+  if (sample == nullptr || sample->effective_n == 0) return false;
+  return sample->solved_targets < 4 ||
+         sample->effective_n < std::min(4.0, static_cast<double>(sample->values.size()) / 2);
+}
+
+// Returns whether a difference of means rests on one value: on one that lies farther from the median of the tested
+// numbers than all others together, and more than twice as far as the means lie apart. A common value added to all
+// changes nothing.
+bool does_one_decide(const Method& method, const Trial& trial) {
+  const PairData& numbers = trial.numbers;
+  const double farthest = method.is_by_difference
+                              ? lone_distance(numbers.differences)
+                              : std::max(lone_distance(numbers.first), lone_distance(numbers.second));
+  return farthest * (1 - 1e-9) > 2 * std::abs(trial.outcome.estimate);
+}
+
+// Returns whether one value is more than half of the sum of all absolute values, and so makes a margin that is a share
+// of the mean.
+bool does_one_make_mean(std::span<const double> values) {
+  double largest = 0, sum = 0;
+  for (const double value : values) {
+    largest = std::max(largest, std::abs(value));
+    sum += std::abs(value);
+  }
+  return largest > sum / 2;
+}
+
 // Returns the comparison of a pair whose groups have the same blocks. If p decides, no estimate
 // is shown that would refute p.
 Comparison judged_on_common(const MetricSamples& samples, const AnalysisPlan& plan, const Pair& pair, double tests) {
@@ -341,18 +384,20 @@ Comparison judged_on_common(const MetricSamples& samples, const AnalysisPlan& pl
                     .test = pair.closed ? closed_tests_name : pair.method->name,
                     .n = pair.n};
   const bool is_decided = tested.adjusted_p < plan.significance;
-  const bool are_means = pair.method->by == By::means && !is_proportion(samples);
-  if (are_means && !is_log_scale(samples)) tested.hedges_g = hedges_g(trial.numbers.of_first, trial.numbers.of_second);
-  // With logarithms, even a p that does not decide would come from few values.
-  if (are_means && (is_log_scale(samples) || is_same || is_decided) &&
-      (is_dominated(*pair.a) || is_dominated(*pair.b))) {
+  const bool are_means = pair.method->by == By::means && !is_proportion(samples) && !is_log_scale(samples);
+  if (are_means) tested.hedges_g = hedges_g(trial.numbers.of_first, trial.numbers.of_second);
+  const bool is_margin_of_one =
+      are_means && (does_one_make_mean(values_of(*pair.a)) || does_one_make_mean(values_of(*pair.b)));
+  const bool is_by_few = is_decided ? are_means && does_one_decide(*pair.method, trial) : is_same && is_margin_of_one;
+  // With costs per success, even a p that does not decide would come from few values.
+  if (is_by_few || is_worth_little(*pair.a) || is_worth_little(*pair.b)) {
     comparison.result = NotTested{.reason = NotTestedReason::dominated, .n = pair.n};
     return comparison;
   }
   std::optional<Interval> interval;
   if (outcome.interval && are_enough) interval = Interval{shown(outcome.interval->low), shown(outcome.interval->high)};
   if (is_decided) {
-    tested.is_below_margin = is_same;
+    tested.is_below_margin = is_same && !is_margin_of_one;
     set_difference(samples, outcome.direction, comparison, tested, interval);
   } else {
     tested.verdict = is_same ? Verdict::equivalent : Verdict::inconclusive;
@@ -584,15 +629,8 @@ bool all_values_equal(const Comparison& comparison) {
 }
 
 bool is_dominated(const Group& group) {
-  if (const Sample* const sample = sample_of(group); sample && sample->effective_n > 0)
-    return sample->solved_targets < 4 ||
-           sample->effective_n < std::min(4.0, static_cast<double>(sample->values.size()) / 2);
-  double largest = 0, sum = 0;
-  for (const double value : values_of(group)) {
-    largest = std::max(largest, std::abs(value));
-    sum += std::abs(value);
-  }
-  return largest > sum / 2;
+  const std::vector<double> values(values_of(group).begin(), values_of(group).end());
+  return is_worth_little(group) || lone_distance(values) > 0 || does_one_make_mean(values);
 }
 
 bool is_difference(Verdict verdict) { return verdict == Verdict::better || verdict == Verdict::worse; }

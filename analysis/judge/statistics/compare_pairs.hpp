@@ -74,7 +74,7 @@ enum class NotTestedReason {
   no_answer,         // all values of both groups are infinite
   copies,            // both groups have one number each, which may be a copied measurement
   sample_too_small,  // no data of this size could decide
-  dominated          // few values decide the mean of a group (is_dominated), so that the verdict is inconclusive
+  dominated          // few values decide the difference of means, so that the verdict is inconclusive
 };
 // Returns the reason of a pair with a group that is excluded for this reason.
 NotTestedReason not_tested_reason(ExclusionReason reason);
@@ -139,8 +139,9 @@ Verdict reversed(Verdict verdict);
 // Returns the names of the groups that are worse than another one.
 std::set<std::string> beaten_solvers(const std::vector<Comparison>& comparisons);
 
-// Returns whether few values decide the mean of a group: one value is more than half of the sum of all absolute values,
-// or, for costs per success, the effective sample size is too small or fewer than 4 targets were solved.
+// Returns whether few values make the mean of a group: one value lies farther from the median than all others together
+// or is more than half of the sum of all absolute values, or, for costs per success, the effective sample size is too
+// small or fewer than 4 targets were solved.
 bool is_dominated(const Group& group);
 
 // Returns whether an average is worse than another one by more than the margin.
