@@ -387,7 +387,8 @@ std::string how_read(const Sheet& sheet, const Layout& layout, const Items& item
   return text + '.';
 }
 
-// Notes which other column would make more blocks, if the blocks are too few for any verdict.
+// Notes which other column would make more blocks, and how each row counts by itself. Is called if the blocks are too
+// few for any verdict.
 void note_blocks(const Sheet& sheet, const Layout& layout, const Items& items, std::vector<std::string>& notes) {
   Columns others = layout.unused;
   if (layout.run) others.push_back(*layout.run);
@@ -399,6 +400,12 @@ void note_blocks(const Sheet& sheet, const Layout& layout, const Items& items, s
       notes.push_back(fmt::format("If all groups had the same {0}, add --block {0}: that makes {1} blocks.",
                                   sheet.titles()[column], blocks.size()));
   }
+  // Several rows of a group in a block were averaged.
+  if (layout.label && items.values.size() > items.units * items.groups.size())
+    notes.push_back(
+        fmt::format("If each row is a measurement of its own, leave --block out and add --run row; to compare the rows "
+                    "of one {}, choose them with --where, too.",
+                    sheet.titles()[*layout.block]));
 }
 
 Quantities values_in(Sheet& sheet, const Request& request) {

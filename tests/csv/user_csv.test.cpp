@@ -571,6 +571,7 @@ TEST_CASE("of too few blocks it is said which column makes more") {
   const std::vector<std::string> notes =
       csv::read(text, "d.csv", smaller({.label = {"solver"}, .block = {"robot"}, .run = "seed"})).notes;
   CHECK(contains(fmt::format("{}", fmt::join(notes, " ")), "add --block seed: that makes 24 blocks"));
+  CHECK(contains(fmt::format("{}", fmt::join(notes, " ")), "leave --block out and add --run row"));
   CHECK(comparison_of(text, {.block = {"robot", "seed"}}).verdict != Verdict::not_tested);
   CHECK(samples_of(text, {.label = {"solver", "robot"}, .run = "seed"}).groups.size() == 4);
 }
