@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "analysis/show/text.hpp"
 #include "base/names.hpp"
@@ -14,17 +15,18 @@ using namespace judge;
 
 namespace {
 
+bool holds_only_by_default(const JudgedClaim& claim) {
+  return claim.holds == Holds::holds && claim.in_readings.fail > claim.in_readings.hold;
+}
+
 std::vector<JudgedClaim> grouped(std::vector<JudgedClaim> claims, bool are_ours) {
   std::erase_if(claims, [=](const JudgedClaim& claim) { return claim.is_ours != are_ours; });
-  std::ranges::stable_sort(claims, {}, &JudgedClaim::holds);
+  std::ranges::stable_sort(
+      claims, {}, [](const JudgedClaim& claim) { return std::pair(claim.holds, holds_only_by_default(claim)); });
   return claims;
 }
 
 bool is_counted(const JudgedClaim& claim) { return claim.in_readings.all() > 0; }
-
-bool holds_only_by_default(const JudgedClaim& claim) {
-  return claim.holds == Holds::holds && claim.in_readings.fail > claim.in_readings.hold;
-}
 
 // Returns the word for a verdict. A claim that holds in the default interpretation, but fails in more interpretations
 // than it holds in, only holds by default.
@@ -113,7 +115,8 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
   text += fmt::format("\n{}\n{}\n", table.caption, show::to_text(table));
   std::vector<std::vector<std::string>> rows;
   if (const auto one = std::ranges::find_if(claims, is_counted); one != claims.end())
-    add(fmt::format("Claims; in brackets: hold / fail / inconclusive in {} interpretations", one->in_readings.all()));
+    add(fmt::format("Claims; in brackets: hold / fail / inconclusive in {}",
+                    interpretations_text(one->in_readings.all() / one->in_readings.seeds, one->in_readings.seeds)));
   rows.push_back({fmt::format("{:16}", "verdict"), "claim", "ours"});
   std::vector<std::string> not_tested;  // sentences
   for (const JudgedClaim& claim : grouped(claims, false)) {
