@@ -56,7 +56,7 @@ InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, c
     if (claim.of == Of::spread) samples = deviations(samples);
     return place->second = verdict_of(compare_pairs(samples, of_pair).front());
   };
-  InReadings counts;
+  InReadings counts{.seeds = std::ssize(multiverse.readings[0].parts[0])};
   std::map<std::string, std::int64_t> failing;  // interpretations in which the claim fails, by setting
   for (const auto& [settings, parts] : multiverse.readings) {
     for (std::size_t seed = 0; seed < parts[0].size(); ++seed) {
@@ -108,13 +108,12 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
     result.table.rows.push_back(
         {claim.sentence, counts.hold, counts.fail, counts.open, counts.most_fail.empty() ? "none" : counts.most_fail});
   }
-  const std::size_t readings = multiverse.readings.size(), seeds = multiverse.readings[0].parts[0].size();
   const std::int64_t solvers = std::ssize(multiverse.solvers), pairs = solvers * (solvers - 1) / 2;
   result.table.notes = {
       fmt::format(
-          "{} interpretations{}. A claim holds if its solvers are better than each rival, and fails if a rival is better. "
-          "The test is Welch's t (for spreads: on distances from the median) at {:g} / {} ({} of solvers).",
-          seeds * readings, seeds > 1 ? fmt::format(": {}, each with seeds 1 to {}", readings, seeds) : "",
+          "There are {}. A claim holds if its solvers are better than each rival, and fails if one rival is better. The test is "
+          "Welch's t (for spreads: on distances from the median) at {:g} / {} ({} of solvers).",
+          interpretations_text(std::ssize(multiverse.readings), std::ssize(multiverse.readings[0].parts[0])),
           plan.significance, pairs, base::counted(pairs, "pairs")),
       fmt::format(
           "An interpretation answers {} of the questions that the paper leaves open. The counts depend on which answers "
@@ -146,6 +145,25 @@ SeedValues values_by_seed(const SolvedMultiverse& multiverse, const std::vector<
   return all;
 }
 
+// Returns how many statistics of a study lie in the ranges of another study.
+int statistics_inside(const Descriptives& study, const Ranges& ranges) {
+  int count = 0;
+  for (std::size_t s = 0; s < statistics.size(); ++s) {
+    const double number = study.*statistics[s].of;
+    count += ranges[s].low <= number && number <= ranges[s].high;
+  }
+  return count;
+}
+
+// Returns how many statistics of another row our ranges match, as the mean over all rows but our own.
+double repeated_of_others(const Descriptives& ours, const Ranges& ranges, const PrintedRows& rows,
+                          const PrintedRow& own) {
+  double sum = 0;
+  for (const PrintedRow& row : rows)
+    if (&row != &own) sum += repeated_statistics(ours, ranges, row);
+  return rows.size() < 2 ? 0 : sum / static_cast<double>(rows.size() - 1);
+}
+
 }  // namespace
 
 SeedCounts counts_by_seed(const Paper& paper, const SolvedMultiverse& multiverse) {
@@ -153,35 +171,35 @@ SeedCounts counts_by_seed(const Paper& paper, const SolvedMultiverse& multiverse
   const auto& parts = multiverse.readings.front().parts;
   const std::size_t seeds = parts[0].size();
   std::map<std::pair<std::size_t, std::size_t>, int> alike;  // numbers of the second seed in ranges of the first
+  std::vector<double> of_others(seeds);
   counts.all.resize(seeds);
+  counts.wide.resize(seeds);
   for (std::size_t m = 0; m < metrics_of_readings.size(); ++m) {
-    for (const PrintedRow& row : printed_means(paper.name, paper.means, metrics_of_readings[m])) {
+    const PrintedRows rows = printed_means(paper.name, paper.means, metrics_of_readings[m]);
+    for (const PrintedRow& row : rows) {
       const std::size_t solver = place_of(multiverse.solvers, row.solver);
       if (solver == multiverse.solvers.size()) continue;
       const auto [ours, ranges, together] = values_by_seed(multiverse, parts[solver], m, row.numbers.n);
       if (std::ranges::none_of(ranges, [](const auto& each) { return each.has_value(); })) return {};
-      const std::optional<Ranges> of_all = predicted_ranges(together, row.numbers.n);
-      const Descriptives all = describe_values(together);
+      if (const std::optional<Ranges> of_all = predicted_ranges(together, row.numbers.n))
+        counts.together += repeated_statistics(describe_values(together), *of_all, row);
+      counts.of += static_cast<int>(statistics.size());
       std::vector<int>& of_row = counts.rows[row.solver];
       of_row.resize(seeds);
-      for (std::size_t s = 0; s < statistics.size(); ++s) {
-        ++counts.of;
-        counts.together += of_all && repeats(all.*statistics[s].of, (*of_all)[s], row.digits[s]);
-        for (std::size_t seed = 0; seed < seeds; ++seed) {
-          if (!ranges[seed]) continue;
-          const Interval& range = (*ranges[seed])[s];
-          const bool is_in = repeats(ours[seed].*statistics[s].of, range, row.digits[s]);
-          of_row[seed] += is_in;
-          counts.all[seed] += is_in;
-          for (std::size_t other = 0; other < seeds; ++other) {
-            const double theirs = ours[other].*statistics[s].of;
-            if (other != seed) alike[{seed, other}] += range.low <= theirs && theirs <= range.high;
-          }
-        }
+      for (std::size_t seed = 0; seed < seeds; ++seed) {
+        if (!ranges[seed]) continue;
+        const int repeated = repeated_statistics(ours[seed], *ranges[seed], row);
+        of_row[seed] += repeated;
+        counts.all[seed] += repeated;
+        counts.wide[seed] += static_cast<int>(std::ranges::count_if(*ranges[seed], is_wide));
+        of_others[seed] += repeated_of_others(ours[seed], *ranges[seed], rows, row);
+        for (std::size_t other = 0; other < seeds; ++other)
+          if (other != seed) alike[{seed, other}] += statistics_inside(ours[other], *ranges[seed]);
       }
     }
   }
   for (const auto& [pair, count] : alike) counts.same.push_back(count);
+  for (const double count : of_others) counts.other_rows.push_back(static_cast<int>(std::lround(count)));
   return counts;
 }
 

@@ -43,6 +43,10 @@ struct SeedCounts {
   int of = 0;                                    // all printed numbers; 0 if the runs are too few for any
   // The number of one seed's numbers that lie in the ranges of another seed: what the same program would repeat.
   std::vector<int> same;
+  // By seed: how many numbers the row of another solver would match. The printed rows of the other solvers are compared
+  // with a solver's ranges. The mean number over these rows is summed over the solvers.
+  std::vector<int> other_rows;
+  std::vector<int> wide;  // by seed: the number of ranges that are wider than a factor of ten
 };
 // Returns the counts of a multiverse of one interpretation.
 SeedCounts counts_by_seed(const Paper& paper, const SolvedMultiverse& multiverse);

@@ -119,7 +119,8 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
                                    {"citation", &paper.citation},
                                    {"not_repeated", &paper.not_repeated},
                                    {"solver", &paper.solver},
-                                   {"means", &paper.means}})
+                                   {"means", &paper.means},
+                                   {"means_note", &paper.means_note}})
     reader.text(key, *field, "");
   reader.texts("studies", paper.studies, "");
   reader.texts("runs", paper.runs, "");

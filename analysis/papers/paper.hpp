@@ -75,6 +75,7 @@ struct Paper {
   std::vector<std::string> runs = {};     // studies that take --runs
   std::string solver = {};                // the solver that the paper proposes
   std::string means = {};                 // the printed table of means; empty: none
+  std::string means_note = {};            // below that table: a sentence
   std::map<std::string, std::string> readings = {};  // interpretations: studies of `means`, with words: "20 agents"
   Rates rates = {};
   AnswerCounts counts = {};

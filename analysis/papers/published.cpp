@@ -40,6 +40,18 @@ bool repeats(double ours, const judge::Interval& range, std::string_view printed
   return agrees(ours, printed) || can_be(range, printed);
 }
 
+int repeated_statistics(const judge::Descriptives& ours, const Ranges& ranges, const PrintedRow& row) {
+  int count = 0;
+  for (std::size_t s = 0; s < statistics.size(); ++s)
+    count += repeats(ours.*statistics[s].of, ranges[s], row.digits[s]);
+  return count;
+}
+
+bool is_wide(const judge::Interval& range) {
+  constexpr double factor = 10;
+  return range.high > factor * range.low;
+}
+
 const PrintedRow* row_of(const PrintedRows& rows, std::string_view solver) {
   const auto row = std::ranges::find(rows, solver, &PrintedRow::solver);
   return row == rows.end() ? nullptr : &*row;

@@ -48,11 +48,16 @@ using Ranges = std::array<judge::Interval, statistics.size()>;
 // Returns the range of each statistic in most new studies of so many runs, by Hill's A(n) (JASA 63 (1968) 677) on the
 // logarithms of the values. The next value is equally likely in each gap of the known values, and then is a known
 // value, too. Beyond the last value there is an exponential tail of Hill's slope (Annals of Statistics 3 (1975) 1163).
-// The ranges are made for 95 % of studies, and hold 92 % (tests/papers/published.test.cpp). Returns nullopt for fewer
-// than five values, or if a value is not above 0.
+// The ranges hold about 95 % of studies, and fewer where a rare run is far off: about 89 % if one run in 150 is 10 to
+// 400 times as large (tests/papers/published.test.cpp). The statistics of a study are one sample: they lie inside or
+// outside together. Returns nullopt for fewer than five values, or if a value is not above 0.
 std::optional<Ranges> predicted_ranges(const std::vector<double>& values, int runs);
 
 // Returns whether our statistic rounds to the printed digits, or whether a new study's statistic in `range` may.
 bool repeats(double ours, const judge::Interval& range, std::string_view printed);
+// Returns how many statistics of ours repeat those of the printed row.
+int repeated_statistics(const judge::Descriptives& ours, const Ranges& ranges, const PrintedRow& row);
+// Returns whether the range is wider than a factor of ten. That a number lies in such a range says little.
+bool is_wide(const judge::Interval& range);
 
 }  // namespace ikbench::papers

@@ -45,6 +45,16 @@ show::Cell beside(double ours, std::string_view printed) {
   return printed.empty() ? show::Cell(ours) : show::PublishedNumber{ours, std::string(printed)};
 }
 
+namespace {
+
+// Returns the sign of our statistic beside a printed one (meaning_of_signs).
+std::string sign_of(double ours, const Interval& range, std::string_view printed) {
+  if (!repeats(ours, range, printed)) return "x";
+  return is_wide(range) ? "?" : "~";
+}
+
+}  // namespace
+
 std::vector<show::Cell> beside(const JudgedMetric& judged, const std::string& solver, const PrintedRow* row) {
   const std::size_t place = index_of(judged.samples, solver);
   const Group group = place < judged.descriptives.size() ? judged.samples.groups[place] : Group();
@@ -59,7 +69,7 @@ std::vector<show::Cell> beside(const JudgedMetric& judged, const std::string& so
     const double number = ours.*statistics[s].of;
     auto* const printed =
         std::get_if<show::PublishedNumber>(&cells.emplace_back(beside(number, row ? row->digits[s] : "")));
-    if (printed && ranges) printed->sign = repeats(number, (*ranges)[s], printed->printed) ? '~' : 'x';
+    if (printed && ranges) printed->sign = sign_of(number, (*ranges)[s], printed->printed);
   }
   return cells;
 }
@@ -88,6 +98,7 @@ show::Table means_table(const Repeated& repeated, const SeedCounts& counts) {
   table.notes.push_back(
       has_signs ? std::string(meaning_of_signs)
                 : "There are too few runs to say which numbers are reproduced, so claims may be inconclusive.");
+  if (has_signs && !repeated.paper.means_note.empty()) table.notes.push_back(repeated.paper.means_note);
   if (counts.of == 0) return table;
   const std::size_t of_row = static_cast<std::size_t>(counts.of) / counts.rows.size();
   table.columns.push_back({fmt::format("reproduced of {}", of_row)});
@@ -98,6 +109,8 @@ show::Table means_table(const Repeated& repeated, const SeedCounts& counts) {
   table.notes.push_back(
       fmt::format("Reproduced: of {} statistics in Table 3, for seeds 1 to {}; all seeds pooled reproduce {} of {}.",
                   of_row, counts.all.size(), counts.together, counts.of));
+  table.notes.push_back(fmt::format("Depending on the seed, {} of the {} ranges are wider than a factor of ten.",
+                                    span_of(counts.wide), counts.of));
   return table;
 }
 

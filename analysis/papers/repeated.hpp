@@ -47,7 +47,8 @@ show::Cell beside(double ours, std::string_view printed);
 // Returns a solver's statistics beside a printed row, with signs. A statistic is unknown if values are missing. Times
 // have no sign, because machines differ.
 std::vector<show::Cell> beside(const judge::JudgedMetric& judged, const std::string& solver, const PrintedRow* row);
-constexpr std::string_view meaning_of_signs = "~ within the range of 92 % of reruns of our program; x outside";
+constexpr std::string_view meaning_of_signs =
+    "~ in the range of about 95 % of our reruns; ? in a range wider than a factor of ten; x outside.";
 
 // Returns our means beside the printed ones, with a row per solver, and how many numbers of each solver repeat by seed.
 show::Table means_table(const Repeated& repeated, const SeedCounts& counts = {});

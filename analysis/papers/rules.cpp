@@ -311,6 +311,11 @@ std::string_view name_of(Holds holds) {
   return names[static_cast<std::size_t>(holds)];
 }
 
+std::string interpretations_text(std::int64_t interpretations, std::int64_t seeds) {
+  const std::string text = base::counted(interpretations, "interpretations");
+  return seeds == 1 ? text : fmt::format("{} with {} seeds each ({})", text, seeds, interpretations * seeds);
+}
+
 std::span<const Rule> rules() { return all_rules; }
 
 void Tally::add(Verdict verdict) {

@@ -29,11 +29,14 @@ std::string_view name_of(Holds holds);
 // counts by itself.
 struct InReadings {
   std::int64_t hold = 0, fail = 0, open = 0;
+  std::int64_t seeds = 1;      // of each interpretation
   std::string most_fail = {};  // the answer, other than a default, with most failures: "118 with a=1 (its reason)"
 
   // Returns the number of all interpretations.
   std::int64_t all() const { return hold + fail + open; }
 };
+// Returns "288 interpretations with 3 seeds each (864)", or only "288 interpretations" if there is one seed.
+std::string interpretations_text(std::int64_t interpretations, std::int64_t seeds);
 
 // A claim with its verdict.
 struct JudgedClaim : Claim {

@@ -21,7 +21,7 @@ namespace ikbench::show {
 struct PublishedNumber {
   double ours;
   std::string printed;
-  std::string sign = {};  // "~" agrees, "x" does not, "?" inconclusive; empty: not compared
+  std::string sign = {};  // "~" agrees, "x" does not, "?" too wide a range to say; empty: not compared
 };
 // A number with what stands around the number.
 struct ValueCell {

@@ -46,8 +46,7 @@ std::string_view predicate(Holds conclusion) {
   return "";
 }
 
-std::string first_sentence(Holds conclusion, const std::vector<SeedCounts>& counts,
-                           const std::vector<JudgedClaim>& claims) {
+std::string first_sentence(Holds conclusion, const std::vector<JudgedClaim>& claims) {
   const JudgedClaim* const other = claim_named(claims, "best_compromise_50");
   const std::string by = other != nullptr && other->holds == conclusion ? " with 20 and with 50 agents" : "";
   const auto open = std::ranges::count_if(
@@ -56,16 +55,33 @@ std::string first_sentence(Holds conclusion, const std::vector<SeedCounts>& coun
   if (open > 0)
     besides =
         fmt::format("; with so few runs, {} {} inconclusive", base::counted(open, "claims"), open == 1 ? "is" : "are");
-  if (!counts.empty() && counts[0].of > 0) {
-    std::vector<std::string> repeated;
-    repeated.reserve(counts.size());
-    for (const SeedCounts& each : counts) repeated.push_back(span_of(each.all) + with(each.reading));
-    besides = fmt::format(
-        ". Of the {} error and motion statistics in Table 3 we reproduce {}, depending on the seed; in simulation, the "
-        "authors' own program would reproduce {}",
-        counts[0].of, show::listed(repeated), span_of(counts[0].same));
-  }
   return fmt::format("The conclusion of Slim et al. 2023 {}{}{}.", predicate(conclusion), by, besides);
+}
+
+// Returns how close our program is to the authors'. The scale is how many statistics the row of another solver would
+// match, and how many the same program would.
+std::string_view closeness_text(const SeedCounts& counts) {
+  const auto [least, most] = std::ranges::minmax(counts.all);
+  if (least >= std::ranges::min(counts.same)) return "our program reproduces as many as theirs would";
+  if (most <= std::ranges::max(counts.other_rows)) return "our program is no closer to theirs than another solver is";
+  return "our program is close to theirs but not the same";
+}
+
+// Returns how many printed statistics each interpretation reproduces, and how close our program therefore is to the
+// authors'.
+std::string scale_sentence(const std::vector<SeedCounts>& counts) {
+  std::vector<std::string> repeated;
+  for (const SeedCounts& each : counts) {
+    const bool is_first = repeated.empty();
+    repeated.push_back(fmt::format(
+        "{}{}{}", span_of(each.all),
+        is_first ? fmt::format(" of the {} error and motion statistics in Table 3", each.of) : "", with(each.reading)));
+  }
+  const SeedCounts& own = counts.front();
+  return fmt::format(
+      "We reproduce {}, over {} seeds. Another solver's row would match {}, the authors' own program "
+      "{}: {}.",
+      show::listed(repeated), own.all.size(), span_of(own.other_rows), span_of(own.same), closeness_text(own));
 }
 
 bool holds(const JudgedClaim* claim) { return claim != nullptr && claim->holds == Holds::holds; }
@@ -204,7 +220,7 @@ Table table_3(const Repeated& repeated) {
       .name = "table-3" + repeated.suffix(),
       .caption = fmt::format("Table 3{}: statistics of the runs", with(repeated.reading())),
       .columns = {{"solver"}, {"statistic"}},
-      .notes = {std::string(meaning_of_signs),
+      .notes = {std::string(meaning_of_signs), repeated.paper.means_note,
                 "The paper's times are from another machine and language. Our time of a run is the median over its "
                 "points."}};
   for (const Statistic& statistic : statistics)
@@ -312,7 +328,8 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   const JudgedClaim *const best = claim_named(claims, "best_compromise"),
                            *const accurate = claim_named(claims, "most_accurate"),
                            *const classical = claim_named(claims, "better_than_classical");
-  std::vector<std::string> all{first_sentence(best->holds, counts, claims)};
+  std::vector<std::string> all{first_sentence(best->holds, claims)};
+  if (!counts.empty() && counts.front().of > 0 && !counts.front().same.empty()) all.push_back(scale_sentence(counts));
   if (accurate->number.empty()) return all;
   std::string words =
       fmt::format("The paper concludes that {}; this {} ({})", best->sentence, predicate(best->holds), best->number);
@@ -324,8 +341,9 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   words = fmt::format("\"{}\" {} in the default interpretation ({})", accurate->sentence, predicate(accurate->holds),
                       accurate->number);
   if (const InReadings& of = accurate->in_readings; of.all() > 0)
-    words += fmt::format(". It holds in {} of {} interpretations, is inconclusive in {} and fails in {}{}", of.hold,
-                         of.all(), of.open, of.fail, of.most_fail.empty() ? "" : " (" + of.most_fail + ')');
+    words += fmt::format(". Of {}, it holds in {}, is inconclusive in {} and fails in {}{}",
+                         interpretations_text(of.all() / of.seeds, of.seeds), of.hold, of.open, of.fail,
+                         of.most_fail.empty() ? "" : " (" + of.most_fail + ')');
   all.push_back(words + '.');
   if (classical != nullptr && classical->holds == Holds::fails)
     all.push_back(fmt::format("Not in the paper, but more accurate: {} cm.", classical->rival));

@@ -15,7 +15,7 @@ TEST_CASE("a study with the printed numbers has the verdicts of the printed numb
     INFO(id);
     CHECK(holds(of, id) == Holds::holds);
   }
-  CHECK(means_table(of).notes[0].starts_with("~ within the range"));
+  CHECK(means_table(of).notes[0].starts_with("~ in the range"));
   CHECK(holds(of, "real_arm") == Holds::not_tested);
   CHECK(holds(of, "circle") == Holds::not_tested);
   CHECK(claim_named(judged_claims(of), "accurate_inside_limits") == nullptr);  // a question needs its study

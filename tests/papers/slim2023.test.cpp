@@ -82,22 +82,33 @@ TEST_CASE("the first sentences say whether the conclusion repeats, and on what i
                                        [](SolveRecord& solve) { solve.position_error_cm = 1e-6 * solve.run; });
   const JudgedStudy of_50 = study_of({.name = "slim2023-50"});
   const Repeated of = repeated(helix(), {&of_50, &all_joints(), &context});
-  const std::vector<JudgedClaim> claims = judged_claims(of, {{"most_accurate", {.hold = 3}}});
-  const std::vector<std::string> sentences =
-      slim2023::sentences(claims, {{.reading = "20 agents", .all = {9, 7}, .of = 60, .same = {55, 57}},
-                                   {.reading = "50 agents", .all = {6, 6}, .of = 60}});
-  REQUIRE(sentences.size() == 4);
+  const std::vector<JudgedClaim> claims = judged_claims(of, {{"most_accurate", {.hold = 3, .seeds = 3}}});
+  std::vector<papers::SeedCounts> counts{
+      {.reading = "20 agents", .all = {39, 37}, .of = 60, .same = {55, 57}, .other_rows = {15, 14}},
+      {.reading = "50 agents", .all = {6, 6}, .of = 60}};
+  const std::vector<std::string> sentences = slim2023::sentences(claims, counts);
+  REQUIRE(sentences.size() == 5);
   CHECK(sentences[0] ==
-        "The conclusion of Slim et al. 2023 holds with 20 and with 50 agents. Of the 60 error and motion statistics in "
-        "Table 3 we reproduce 7 to 9 with 20 agents and 6 with 50 agents, depending on the seed; in simulation, the "
-        "authors' own program would reproduce 55 to 57.");
+        "The conclusion of Slim et al. 2023 holds with 20 and with 50 agents; with so few runs, 1 claim is "
+        "inconclusive.");
+  CHECK(
+      sentences[1] ==
+      "We reproduce 37 to 39 of the 60 error and motion statistics in Table 3 with 20 agents and 6 with 50 agents, "
+      "over 2 seeds. Another solver's row would match 14 to 15, the authors' own program 55 to 57: our program is close to "
+      "theirs but not the same.");
+  counts[0].all = {15, 12};
+  CHECK(
+      contains(slim2023::sentences(claims, counts)[1], ": our program is no closer to theirs than another solver is."));
+  counts[0].all = {55, 60};
+  CHECK(contains(slim2023::sentences(claims, counts)[1], ": our program reproduces as many as theirs would."));
   CHECK(slim2023::sentences(claims, {})[0] ==
         "The conclusion of Slim et al. 2023 holds with 20 and with 50 agents; with so few runs, 1 claim is "
         "inconclusive.");
-  CHECK(contains(sentences[1], "the smallest error and, with MO-PSO, the least joint motion."));
-  CHECK(contains(sentences[2], "holds in the default interpretation (0.00194 cm, K-ABC"));
-  CHECK(contains(sentences[2], "It holds in 3 of 3 interpretations, is inconclusive in 0 and fails in 0."));
-  CHECK(sentences[3] == "Not in the paper, but more accurate: DLS 1.05e-05 cm.");
+  CHECK(contains(sentences[2], "the smallest error and, with MO-PSO, the least joint motion."));
+  CHECK(contains(sentences[3], "holds in the default interpretation (0.00194 cm, K-ABC"));
+  CHECK(contains(sentences[3],
+                 "Of 1 interpretation with 3 seeds each (3), it holds in 3, is inconclusive in 0 and fails in 0."));
+  CHECK(sentences[4] == "Not in the paper, but more accurate: DLS 1.05e-05 cm.");
   std::vector<show::Blocks> sections = slim2023::sections(of);
   sections.insert(sections.begin(), claims_section(claims));
   std::vector<std::string> headings;
