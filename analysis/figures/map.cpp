@@ -30,6 +30,8 @@ constexpr std::size_t most_svg_cells = 30'000;  // of all panels; an SVG takes 1
 constexpr double left_cm = 1.35, right_cm = 0.25, between_cm = 0.45, head_cm = 0.85, ticks_cm = 0.5, title_cm = 0.45;
 constexpr double bar_cm = 1.1, entry_cm = 0.36, narrow_cm = 12;
 
+constexpr double dot_share = 0.35;  // side of a dot, as a share of the side of its cell
+
 // The targets of one place of the grid, which follow one another.
 struct MapPlace {
   double across, up;       // [m]
@@ -56,6 +58,22 @@ std::size_t solved_at(const SolvedTargets& targets, const MapPlace& place, std::
   return count;
 }
 
+// Returns whether a solver lacks solves of a place. `solves` has the number of its solves by point.
+bool lacks_solves(const JudgedStudy& judged, const MapPlace& place, const std::vector<int>& solves) {
+  for (std::size_t target = place.begin; target < place.end; ++target)
+    if (solves[static_cast<std::size_t>(judged.targets.targets[target].point - 1)] < judged.study.definition.runs)
+      return true;
+  return false;
+}
+
+// Returns the number of a solver's solves by point.
+std::vector<int> solves_of(const StudyResults& study, const std::string& solver) {
+  std::vector<int> solves(study.grid_places.size(), 0);
+  for (const SolveSummary& solve : study.of(solver))
+    if (const auto place = static_cast<std::size_t>(solve.point - 1); place < solves.size()) ++solves[place];
+  return solves;
+}
+
 // Returns the evaluations of a solver by point; NaN if they are not counted.
 std::vector<double> evaluations_of(const StudyResults& study, const std::string& solver) {
   std::vector<double> evaluations(study.grid_places.size(), nowhere);
@@ -73,13 +91,17 @@ MapPanel panel_of(const JudgedStudy& judged, const std::vector<MapPlace>& places
   const SolvedTargets& targets = judged.targets;
   const bool has_directions = judged.study.definition.grid.directions > 1;
   const std::vector<double> evaluations = evaluations_of(judged.study, targets.solvers[solver]);
+  const std::vector<int> solves = solves_of(judged.study, targets.solvers[solver]);
   MapPanel panel;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const MapPlace& place = places[i];
     MapCell& cell = panel.cells.emplace_back(MapCell{.across = place.across, .up = place.up, .value = nowhere});
     const std::size_t solved = solved_at(targets, place, solver);
     panel.solved += solved;
-    if (most[i] > 0) cell.state = solved < most[i] ? MapCell::State::behind : MapCell::State::solved;
+    if (solved == 0 && lacks_solves(judged, place, solves))
+      cell.state = MapCell::State::missing;
+    else if (most[i] > 0)
+      cell.state = solved < most[i] ? MapCell::State::behind : MapCell::State::solved;
     if (solved == 0) continue;
     const auto point = static_cast<std::size_t>(targets.targets[place.begin].point);
     cell.value = has_directions ? static_cast<double>(solved) : evaluations[point - 1];
@@ -89,19 +111,36 @@ MapPanel panel_of(const JudgedStudy& judged, const std::vector<MapPlace>& places
 
 // The kinds of cells that the panels have, and the ends of the colours.
 struct MapKinds {
-  bool are_behind = false, are_unsolved = false, are_uncounted = false;
-  bool are_left_out = false;  // places without a cell, within the dashed circle
+  bool are_behind = false, are_unsolved = false, are_uncounted = false, are_missing = false;
+  bool is_partial = false;  // solves are missing
+  // Places without a cell, within the dashed circle: certainly out of reach, or not asked of any solver yet.
+  bool are_left_out = false, are_not_asked = false;
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;  // values
 
   bool has_values() const { return largest > 0; }
+  // Returns what a place without a cell means; empty if there is none.
+  std::string blank_words() const {
+    if (are_left_out && are_not_asked) return "certainly out of reach, or not solved yet";
+    if (are_left_out) return "certainly out of reach";
+    return are_not_asked ? "not solved yet" : "";
+  }
 };
 
-MapKinds kinds_of(const std::vector<MapPanel>& panels) {
-  MapKinds kinds;
+// Returns whether no solver was asked for some of the targets yet.
+bool lacks_targets(const JudgedStudy& judged) {
+  return std::ssize(judged.targets.targets) < judged.study.definition.points;
+}
+
+MapKinds kinds_of(const JudgedStudy& judged, const std::vector<MapPanel>& panels) {
+  const results::StudyDefinition& definition = judged.study.definition;
+  MapKinds kinds{.is_partial = !judged.targets.is_complete,
+                 .are_left_out = definition.grid.left_out > 0,
+                 .are_not_asked = lacks_targets(judged)};
   for (const MapPanel& panel : panels) {
     for (const MapCell& cell : panel.cells) {
       kinds.are_behind |= cell.state == MapCell::State::behind;
       kinds.are_unsolved |= cell.state == MapCell::State::unsolved;
+      kinds.are_missing |= cell.state == MapCell::State::missing;
       kinds.are_uncounted |= cell.state == MapCell::State::solved && std::isnan(cell.value);
       kinds.smallest = std::fmin(kinds.smallest, cell.value);
       kinds.largest = std::fmax(kinds.largest, cell.value);
@@ -112,7 +151,8 @@ MapKinds kinds_of(const std::vector<MapPanel>& panels) {
 
 // Returns the numbers of the figure: a block per panel. An uncounted value is 0.
 std::string data_of(const std::vector<MapPanel>& panels) {
-  std::string data = "# place in the plane [m]; 0 unsolved, 1 another solver solves more, 2 solved; value, 0: none\n";
+  std::string data =
+      "# place in the plane [m]; 0 unsolved, 1 another solver solves more, 2 solved, 3 not solved yet; value, 0: none\n";
   for (std::size_t i = 0; i < panels.size(); ++i) {
     data += fmt::format("{}# {}\n", i == 0 ? "" : "\n\n", base::one_line(panels[i].label));
     for (const MapCell& cell : panels[i].cells)
@@ -175,33 +215,50 @@ MapLayout layout_of(std::size_t panels, double width_cm, double legend_cm, doubl
           .legend_cm = legend_cm};
 }
 
-// Returns the commands of a mark of the legend, and of the words beside the mark. Row 0 is the lowest.
-std::string legend_entry(std::size_t row, bool is_cross, std::string_view colour, std::string_view words) {
-  const std::string up = fmt::format("screen up({})", text_of(0.3 + entry_cm * static_cast<double>(row)));
-  const std::string mark =
-      is_cross ? fmt::format("set label '' at screen margin(1.6), {} point pt 2 ps 0.5 lw 0.8 lc rgb ink\n", up)
-               : fmt::format(
-                     "set object rectangle center screen margin(1.6), {} size screen margin(0.3), screen up(0.24) "
-                     "fc rgb {} fs solid border lc rgb ink lw 0.3\n",
-                     up, colour);
-  return mark + fmt::format("set label '{}' at screen margin(1.95), {} left tc rgb ink\n", words, up);
+// Returns the height of a row of the legend above the bottom of the figure. Row 0 is the lowest.
+std::string legend_height(std::size_t row) {
+  return fmt::format("screen up({})", text_of(0.3 + entry_cm * static_cast<double>(row)));
+}
+
+// Returns the command that draws a square of the legend, whose side is a share of the usual one.
+std::string legend_square(std::size_t row, std::string_view colour, double share = 1) {
+  return fmt::format(
+      "set object rectangle center screen margin(1.6), {} size screen margin({}), screen up({}) fc rgb {} fs solid "
+      "border lc rgb ink lw 0.3\n",
+      legend_height(row), text_of(0.3 * share), text_of(0.24 * share), colour);
+}
+
+std::string legend_cross(std::size_t row) {
+  return fmt::format("set label '' at screen margin(1.6), {} point pt 2 ps 0.5 lw 0.8 lc rgb ink\n",
+                     legend_height(row));
+}
+
+std::string legend_words(std::size_t row, std::string_view words) {
+  return fmt::format("set label '{}' at screen margin(1.95), {} left tc rgb ink\n", words, legend_height(row));
 }
 
 // Returns the legend below the panels.
 std::string legend_of(const MapKinds& kinds, bool has_directions) {
-  std::string text;
-  std::size_t row = 0;
-  if (kinds.are_left_out) text += legend_entry(row++, false, "paper", "certainly out of reach");
-  if (kinds.are_unsolved) text += legend_entry(row++, false, "unsolved", "no solver solves it");
-  if (kinds.are_uncounted) text += legend_entry(row++, false, "uncounted", "solved, evaluations not counted");
+  std::vector<std::string> entries;  // from the lowest row
+  const auto row = [&] { return entries.size(); };
+  if (const std::string words = kinds.blank_words(); !words.empty())
+    entries.push_back(legend_square(row(), "paper") + legend_words(row(), words));
+  if (kinds.are_unsolved)
+    entries.push_back(legend_square(row(), "unsolved") +
+                      legend_words(row(), kinds.is_partial ? "no solver solves it so far" : "no solver solves it"));
+  if (kinds.are_missing)
+    entries.push_back(legend_square(row(), "ink", dot_share) + legend_words(row(), "not solved yet by this solver"));
+  if (kinds.are_uncounted)
+    entries.push_back(legend_square(row(), "uncounted") + legend_words(row(), "solved, evaluations not counted"));
   if (kinds.are_behind)
-    text += legend_entry(row++, true, "", has_directions ? "another solver solves more" : "another solver solves it");
-  return text;
+    entries.push_back(legend_cross(row()) +
+                      legend_words(row(), has_directions ? "another solver solves more" : "another solver solves it"));
+  return fmt::format("{}", fmt::join(entries, ""));
 }
 
 double legend_cm_of(const MapKinds& kinds) {
-  const int entries =
-      int{kinds.are_unsolved} + int{kinds.are_uncounted} + int{kinds.are_behind} + int{kinds.are_left_out};
+  const int entries = int{kinds.are_unsolved} + int{kinds.are_missing} + int{kinds.are_uncounted} +
+                      int{kinds.are_behind} + int{!kinds.blank_words().empty()};
   return 0.2 + entry_cm * entries + (kinds.has_values() ? bar_cm : 0);
 }
 
@@ -225,6 +282,7 @@ std::string panel_plot(std::size_t index, double half) {
   const auto cells = [&](const char* where, const std::string& colour) {
     return fmt::format("{}({} ? $2 : NaN):({}):({}){} ", block, where, size, size, colour);
   };
+  const std::string dot = text_of(dot_share * half);
   const auto crosses = [&](const char* look) {
     const std::string arm = text_of(0.62 * half), arm_twice = text_of(1.24 * half);
     return fmt::format(
@@ -235,6 +293,8 @@ std::string panel_plot(std::size_t index, double half) {
   return plotted({cells("$3 == 0", "") + "with boxxyerror fs solid noborder fc rgb unsolved",
                   cells("$3 == 2 && $4 == 0", "") + "with boxxyerror fs solid noborder fc rgb uncounted",
                   cells("$4 > 0", ":(colour($4))") + "with boxxyerror fs solid noborder fc palette",
+                  fmt::format("{0}($3 == 3 ? $2 : NaN):({1}):({1}) with boxxyerror fs solid noborder fc rgb ink", block,
+                              dot),
                   crosses("lw 1.1 lc rgb paper"), crosses("lw 0.45 lc rgb ink"),
                   "'+' using (shoulder_x):(shoulder_y) every ::0::0 with points pt 1 ps 0.9 lw 2.4 lc rgb paper",
                   "'+' using (shoulder_x):(shoulder_y) every ::0::0 with points pt 1 ps 0.8 lw 1 lc rgb ink"}) +
@@ -314,21 +374,24 @@ std::size_t first_with_values(const std::vector<MapPanel>& panels) {
 
 // Returns the numbers by which the page says what is below the pointer: the part of the picture that each panel takes,
 // from its lower left corner, as shares of the picture's width; the part of the plane [m]; the places with their
-// targets; and the value of each place in each panel, -1 where a solved target has no value, and 0 where none is
-// solved. Returns an empty text where the style changes the size of text with the height of the picture.
+// targets; and the value of each place in each panel, -1 where a solved target has no value, 0 where none is solved,
+// and null where the solver has not solved it yet. Returns an empty text where the style changes the size of text with
+// the height of the picture.
 std::string pointer_of(const JudgedStudy& judged, const std::vector<MapPanel>& panels, const MapLayout& layout,
                        const results::FigureStyle& style, double width_cm) {
   if (style.height_cm > 0) return {};
   const TargetGrid& grid = judged.study.definition.grid;
   const MapRange range = range_of(grid);
   const double scale = style.text_pt / 8 / width_cm;
-  base::Json pointer = {{"axes", {axis_name(grid.across, "across"), axis_name(grid.up, "up")}},
-                        {"low", {range.x - range.side, range.y - range.side}},
-                        {"side", 2 * range.side},
-                        {"step", grid.step},
-                        {"directions", grid.directions},
-                        {"places", base::Json::array()},
-                        {"panels", base::Json::array()}};
+  base::Json pointer = {
+      {"axes", {axis_name(grid.across, "across"), axis_name(grid.up, "up")}},
+      {"low", {range.x - range.side, range.y - range.side}},
+      {"side", 2 * range.side},
+      {"step", grid.step},
+      {"directions", grid.directions},
+      {"blank", lacks_targets(judged) ? "certainly out of reach, or not solved yet" : "certainly out of reach"},
+      {"places", base::Json::array()},
+      {"panels", base::Json::array()}};
   const auto rounded = [](double length) { return std::round(length * 1e5) / 1e5; };
   for (const MapPlace& place : places_of(judged))
     pointer["places"].push_back({rounded(place.across), rounded(place.up), judged.targets.targets[place.begin].point});
@@ -336,7 +399,10 @@ std::string pointer_of(const JudgedStudy& judged, const std::vector<MapPanel>& p
     base::Json values = base::Json::array();
     for (const MapCell& cell : panels[i].cells) {
       const bool is_uncounted = cell.state == MapCell::State::solved && std::isnan(cell.value);
-      values.push_back(is_uncounted ? -1 : std::fmax(0, cell.value));
+      if (cell.state == MapCell::State::missing)
+        values.push_back(nullptr);
+      else
+        values.push_back(is_uncounted ? -1 : std::fmax(0, cell.value));
     }
     pointer["panels"].push_back({{"label", panels[i].label},
                                  {"left", scale * layout.left_cm_of(i)},
@@ -354,7 +420,12 @@ std::string caption_of(const JudgedStudy& judged, const MapKinds& kinds) {
   if (kinds.has_values())
     text += has_directions ? " Colours: how many directions of the tool." : " Colours: evaluations.";
   if (kinds.are_behind) text += fmt::format(" Crosses: another solver solves {}.", has_directions ? "more" : "it");
-  if (kinds.are_unsolved) text += " Grey: no solver solves it, which is no proof that the arm cannot reach it.";
+  if (kinds.is_partial) text += " Solves are missing.";
+  if (kinds.are_not_asked) text += " White places may not be solved yet.";
+  if (kinds.are_missing) text += " Dots: not solved yet by this solver.";
+  if (kinds.are_unsolved)
+    text += fmt::format(" Grey: no solver solves it{}, which is no proof that the arm cannot reach it.",
+                        kinds.is_partial ? " so far" : "");
   text += " Dashed: no tool is beyond; plus: the shoulder.";
   if (definition.grid.left_out > 0)
     text += fmt::format(" Without {} targets that are certainly out of reach.", definition.grid.left_out);
@@ -394,8 +465,7 @@ std::optional<Figure> map_of(const JudgedStudy& judged, const Look& look) {
     left_out = fmt::format(" Only {} of {} solvers are drawn.", most_panels, panels.size());
     panels.resize(most_panels);
   }
-  MapKinds kinds = kinds_of(panels);
-  kinds.are_left_out = grid.left_out > 0;
+  const MapKinds kinds = kinds_of(judged, panels);
   figure.caption = caption_of(judged, kinds) + left_out;
   figure.width_cm = map_width_cm(panels.size(), look.style);
   const double legend_cm = legend_cm_of(kinds);

@@ -17,7 +17,8 @@ struct MapCell {
   // solved: at least one target of the place is, and no other solver solves more of them.
   // behind: another solver solves more targets of the place.
   // unsolved: no solver solves a target of the place.
-  enum class State { unsolved, behind, solved } state = State::unsolved;
+  // missing: this solver was not asked for all targets of the place yet, and solves none of the others.
+  enum class State { unsolved, behind, solved, missing } state = State::unsolved;
   double across = 0, up = 0;  // [m] the middle of the cell
   // The evaluations, or the number of tool directions that are solved; NaN: not counted, or none is solved.
   double value = 0;

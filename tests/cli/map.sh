@@ -26,6 +26,8 @@ succeeds run map --robot ur5e "${coarse[@]}" --shard 1/2 --out one
 succeeds run map --robot ur5e "${coarse[@]}" --shard 2/2 --out two
 succeeds report one/store.sqlite --figures none --out one
 has "$out" "Solves are missing"
+succeeds report one/store.sqlite --figures map --out one
+grep -q "not solved yet" one/figures/map.svg || fail "a map of a part that does not say so"
 succeeds merge one two --out both
 succeeds report both/store.sqlite --figures none --out both
 has "$out" "poses that any solver reaches"

@@ -17,6 +17,7 @@ judge::JudgedStudy row_study(const std::vector<std::pair<std::string, std::vecto
   study.definition.search = results::Search::pose;
   study.definition.stop.tolerance = 1e-5;
   study.definition.points = 3 * directions;
+  study.definition.runs = 1;
   study.definition.grid = {.directions = directions,
                            .step = 0.1,
                            .across = {1, 0, 0},
@@ -65,6 +66,25 @@ TEST_CASE("a cell of a map is solved, behind another solver, or unsolved by all"
   const Figure figure = map_of(judged, plain_look(judged)).value();
   CHECK_THAT(figure.data, ContainsSubstring("0.1 0.2 2 300\n") && ContainsSubstring("0.1 0.2 1 0\n"));
   CHECK_THAT(figure.plot, ContainsSubstring("2 of 2") && ContainsSubstring("1 of 2"));
+}
+
+TEST_CASE("a map of a part of a study says which cells are not solved yet", "[figures]") {
+  judge::JudgedStudy judged = row_study({{"LM", {12, 300}}, {"DLS", {7}}});
+  judged.study.definition.grid.left_out = 5;
+  std::vector<MapPanel> panels = map_panels(judged, plain_look(judged));
+  REQUIRE((panels.size() == 2 && panels[1].cells.size() == 2));
+  CHECK(panels[1].cells[0].state == MapCell::State::solved);
+  CHECK(panels[1].cells[1].state == MapCell::State::missing);  // no cross: DLS was not asked
+  const Figure partial = map_of(judged, plain_look(judged)).value();
+  CHECK_THAT(partial.data, ContainsSubstring("0.1 0.2 3 0\n"));
+  CHECK_THAT(partial.plot, ContainsSubstring("'certainly out of reach, or not solved yet'"));
+  CHECK_THAT(partial.caption, ContainsSubstring("Solves are missing"));
+  CHECK_THAT(partial.pointer, ContainsSubstring("[7.0,null]"));
+  judged = row_study({{"LM", {12, 300, 0}}, {"DLS", {7, 0, 0}}});
+  judged.study.definition.grid.left_out = 5;
+  const Figure whole = map_of(judged, plain_look(judged)).value();
+  CHECK_THAT(whole.plot, ContainsSubstring("'certainly out of reach'") && !ContainsSubstring("not solved yet"));
+  CHECK_THAT(whole.caption, !ContainsSubstring("missing"));
 }
 
 TEST_CASE("with several directions a cell of a map counts those that are solved", "[figures]") {

@@ -11,6 +11,7 @@
     text.hidden = false;
 
     const result = value => {
+      if (value === null) return 'has not solved it yet';
       if (map.directions > 1) return `solves ${value} of ${map.directions} tool directions`;
       if (value === 0) return 'does not solve it';
       return value < 0 ? 'solves it, evaluations not counted' : `solves it with ${value} evaluations`;
@@ -25,7 +26,7 @@
       const across = map.low[0] + (x - panel.left) / panel.size * map.side, up = map.low[1] + (y - panel.below) / panel.size * map.side;
       const index = places.get(cell(across, up));
       const where = ([along, above]) => `${map.axes[0]} = ${along.toFixed(3)} m, ${map.axes[1]} = ${above.toFixed(3)} m`;
-      if (index === undefined) return `${where([across, up])}: no target; certainly out of reach.`;
+      if (index === undefined) return `${where([across, up])}: no target; ${map.blank}.`;
       const target = map.places[index];
       return `${where(target)}, target ${target[2]}: ${panel.label} ${result(panel.values[index])}. ${
         map.panels.filter(each => each !== panel).map(each => `${each.label} ${result(each.values[index])}.`).join(' ')}`;
