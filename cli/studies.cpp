@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <iterator>
 #include <set>
+#include <utility>
 
+#include "analysis/figures/map.hpp"
 #include "analysis/figures/sweep.hpp"
 #include "analysis/judge/judge.hpp"
 #include "analysis/show/studies.hpp"
@@ -19,9 +23,43 @@ namespace ikbench::cli {
 
 namespace {
 
+// Returns a study's name as a part of a file's name: '_' replaces each byte that is not an ASCII letter, a digit, '-',
+// '_' or '.'.
+std::string for_file_name(std::string_view study) {
+  constexpr std::size_t max_length = 60;  // bytes
+  std::string name(study.substr(0, max_length));
+  std::ranges::replace_if(
+      name,
+      [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte >= 0x80 || (std::isalnum(byte) == 0 && c != '-' && c != '_' && c != '.');
+      },
+      '_');
+  return name;
+}
+
+// Returns the maps of all studies whose targets are a grid: "map-ur5e", "map-long".
+std::vector<figures::Figure> maps_of(const std::vector<show::StudyColumn>& columns,
+                                     const std::vector<judge::JudgedStudy>& judged, const FigureStyle& style) {
+  std::vector<figures::Figure> maps;
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    std::optional<figures::Figure> map = figures::map_of(judged[i], figures::look_of(judged[i], style));
+    if (!map) continue;
+    map->name = fmt::format("map-{}", for_file_name(columns[i].name));
+    if (!names.insert(map->name).second)
+      map->name += fmt::format("-{}", i + 1);  // the same name but for odd characters
+    map->caption = fmt::format("{}: {}", columns[i].name, map->caption);
+    maps.push_back(std::move(*map));
+  }
+  return maps;
+}
+
 // Returns the figures of a sweep over a single key whose values are all numbers; otherwise none.
-std::vector<figures::Figure> figures_of(const StudiesToReport& studies, const std::vector<show::StudyColumn>& columns,
-                                        const std::vector<judge::JudgedStudy>& judged, const figures::Look& look) {
+std::vector<figures::Figure> sweep_figures_of(const StudiesToReport& studies,
+                                              const std::vector<show::StudyColumn>& columns,
+                                              const std::vector<judge::JudgedStudy>& judged,
+                                              const figures::Look& look) {
   if (studies.keys.size() != 1) return {};
   std::vector<figures::SweptValue> values;
   for (std::size_t i = 0; i < judged.size(); ++i) {
@@ -79,7 +117,8 @@ int report_studies(const StudiesToReport& studies, const std::filesystem::path& 
       fmt::print("{}\n", wrapped(printable(sentence)));
   if (!has_report) return code;
   const figures::Look look = figures::look_of(judged.front(), style);
-  report.figures = figures_of(studies, report.columns, judged, look);
+  report.figures = maps_of(report.columns, judged, style);
+  std::ranges::move(sweep_figures_of(studies, report.columns, judged, look), std::back_inserter(report.figures));
   const show::WrittenReport written =
       write_with_progress(arguments, look.style, [&](const figures::RenderOptions& options) {
         return show::write_report(report, folder, options, program_name());

@@ -37,8 +37,15 @@ succeeds export map/store.sqlite --format targets
 [ "$(wc -l <<<"$out")" -gt 20 ] || fail "too few targets"
 
 # Several maps have their sentences side by side.
-succeeds run map --sweep robot=ur5e,planar_3 --set path.step_cm=20 --only LM,DLS --figures none --out arms
+succeeds run map --sweep robot=ur5e,planar_3 --set path.step_cm=20 --only LM,DLS --out arms
 [[ $out == *"On ur5e: LM"*"On planar_3: LM"* ]] || fail "$out"
+for arm in ur5e planar_3; do
+  [ -s arms/figures/map-$arm.svg ] || fail "no map of $arm"
+done
+equal "maps on the page" "$(grep -c 'id="figure-map-' arms/report.html)" 2
+succeeds run map --robot planar_3 --set path.step_cm=20 --only Newton --no-report --out other
+succeeds report map/store.sqlite other/store.sqlite --figures map --out stores
+[ "$(ls stores/figures/map-*.svg | wc -l)" = 2 ] || fail "report of two stores: $(ls stores/figures)"
 
 # Arms that decide the goal otherwise; a solver that cannot is left out with a sentence.
 succeeds run map --robot planar_3 --set path.step_cm=20 --figures none --out planar
