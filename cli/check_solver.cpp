@@ -90,7 +90,7 @@ struct CheckedProgram {
   Attempt solve_once(const StopRule& stop = usual_budget, int number = 0) {
     Objective objective(arm.chain, example_goal(arm, goal.kind, offset, number));
     Random random(Key(1).with(static_cast<std::uint64_t>(number)));
-    ExternalSolver solver(processes, stop);
+    ExternalSolver solver(processes, stop, WrapPolicy::no);  // an answer must be right as it is
     solver.prepare(problem, objective);
     const Clock::time_point began = Clock::now();
     const Solution solution = solvers::solve(solver, problem, objective, random, stop);
@@ -103,7 +103,7 @@ struct CheckedProgram {
 
   // Sends a batch with the goals of all calls of `solve_once` since the last batch.
   void send_batch() {
-    ExternalSolver solver(processes, usual_budget);
+    ExternalSolver solver(processes, usual_budget, WrapPolicy::no);
     solver.send_batch();
     solver.count_failure();
   }

@@ -113,8 +113,8 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, std::stri
 }
 
 std::unique_ptr<Solver> SolveRunner::make_solver() const {
-  if (processes_) return std::make_unique<ExternalSolver>(*processes_, study_.stop);
-  if (entry_.answers) return std::make_unique<GivenSolver>(*entry_.answers, study_.stop);
+  if (processes_) return std::make_unique<ExternalSolver>(*processes_, study_.stop, study_.wrap);
+  if (entry_.answers) return std::make_unique<GivenSolver>(*entry_.answers, study_.wrap);
   return solver_info(entry_).make(options_);
 }
 

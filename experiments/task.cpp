@@ -37,6 +37,16 @@ bool rotates_tool_only(const Chain& whole) {
          whole.tool().position.head<2>().isZero(0);
 }
 
+void wrap(Configuration& answer, const Configuration& start, const JointLimits& limits, const Chain& chain,
+          WrapPolicy policy) {
+  if (policy == WrapPolicy::no) return;
+  for (Eigen::Index j = 0; j < answer.size(); ++j) {
+    if (chain.slides(j)) continue;
+    if (policy == WrapPolicy::nearest) answer[j] += whole_turn * std::round((start[j] - answer[j]) / whole_turn);
+    answer[j] = turned_inside(answer[j], limits.lower[j], limits.upper[j]);
+  }
+}
+
 Task::Task(const Study& study, const Robot& arm)
     : study_(study),
       arm_(arm),
@@ -71,17 +81,8 @@ Configuration Task::with_wrist(const Configuration& found, const Pose& target, c
     answer = start;
     answer.head(found.size()) = found;
   }
-  wrap(answer, start);
+  wrap(answer, start, arm_.limits, arm_.chain, study_.wrap);
   return answer;
-}
-
-void Task::wrap(Configuration& answer, const Configuration& start) const {
-  if (study_.wrap == WrapPolicy::no) return;
-  for (Eigen::Index j = 0; j < answer.size(); ++j) {
-    if (arm_.chain.slides(j)) continue;
-    if (study_.wrap == WrapPolicy::nearest) answer[j] += whole_turn * std::round((start[j] - answer[j]) / whole_turn);
-    answer[j] = turned_inside(answer[j], arm_.limits.lower[j], arm_.limits.upper[j]);
-  }
 }
 
 std::size_t Task::preferred_branch(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const {

@@ -14,6 +14,11 @@ namespace ikbench::experiments {
 // Returns true if the last joint turns the tool about the tool's own point, which this joint therefore does not move.
 bool rotates_tool_only(const robots::Chain& whole);
 
+// Turns the revolute joints of an answer [rad, m] by whole turns, as the policy says. The limits and the chain are
+// those of the answer's joints.
+void wrap(Configuration& answer, const Configuration& start, const robots::JointLimits& limits,
+          const robots::Chain& chain, results::WrapPolicy policy);
+
 // The search for one target, over all joints or over those before the wrist. Study and arm must outlive the task.
 class Task {
  public:
@@ -29,7 +34,6 @@ class Task {
   Configuration with_wrist(const Configuration& found, const Pose& target, const Configuration& start) const;
 
  private:
-  void wrap(Configuration& answer, const Configuration& start) const;
   // Returns the index of the branch that the study's rule takes if limits do not count.
   std::size_t preferred_branch(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const;
   std::size_t select_branch(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const;

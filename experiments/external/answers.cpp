@@ -288,7 +288,8 @@ void GivenSolver::start(const Problem& problem, Objective& objective, Random&) {
     if (objective.arm().slides(j)) continue;
     for (double& angle : turned_.row(j)) angle = turned_inside(angle, problem.lower[j], problem.upper[j]);
   }
-  best_.q = turned_.cols() > 1 ? nearest_answer(turned_, problem) : Configuration(turned_.col(0));
+  best_.q =
+      turned_.cols() > 1 ? nearest_answer(turned_, problem, objective.arm(), wrap_) : Configuration(turned_.col(0));
   Objective uncounted(objective.arm(), objective.goal());
   best_.error = uncounted.error(best_.q);
 }

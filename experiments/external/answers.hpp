@@ -63,7 +63,8 @@ std::string difference_in_targets(const GivenAnswers& answers, const Study& stud
 // Answers from a file as a solver. Call `select` before each solve.
 class GivenSolver final : public solvers::Searcher {
  public:
-  GivenSolver(const GivenAnswers& answers, const solvers::StopRule& stop) : answers_(answers), stop_(stop) {}
+  // The answers must outlive the solver. `policy` is how the study wraps answers.
+  GivenSolver(const GivenAnswers& answers, results::WrapPolicy policy) : answers_(answers), wrap_(policy) {}
 
   void select(int run, int point) { rows_ = answers_.of(run, point); }
   void start(const solvers::Problem& problem, solvers::Objective& objective, numerics::Random& random) override;
@@ -76,7 +77,7 @@ class GivenSolver final : public solvers::Searcher {
 
  private:
   const GivenAnswers& answers_;
-  const solvers::StopRule& stop_;
+  const results::WrapPolicy wrap_;
   RowRange rows_;
   robots::Candidates turned_;  // answers to this target, turned into the limits by whole turns
 };

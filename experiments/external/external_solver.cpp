@@ -115,13 +115,15 @@ double credible_seconds(const ProcessReport& report, double wall) {
   return std::isnan(reported) ? wall : std::max(reported, min_credible_seconds(report.cpu_seconds));
 }
 
-Configuration nearest_answer(const Candidates& answers, const Problem& problem) {
+Configuration nearest_answer(const Candidates& answers, const Problem& problem, const Chain& chain, WrapPolicy policy) {
   const JointLimits limits{problem.lower, problem.upper};
   Configuration nearest = answers.col(0);
   double nearest_distance = std::numeric_limits<double>::infinity();
   for (const Configuration q : answers.colwise()) {
-    if (!(limits.violation(q) <= 1e-9)) continue;
-    const double distance = (q - problem.start).norm();
+    Configuration left = q;
+    wrap(left, problem.start, limits, chain, policy);
+    if (!(limits.violation(left) <= 1e-9)) continue;
+    const double distance = (left - problem.start).norm();
     if (distance < nearest_distance) {
       nearest = q;
       nearest_distance = distance;
@@ -364,7 +366,7 @@ Configuration ExternalSolver::answer_in(const Message& message, const Exchange& 
     const Eigen::Index kept = std::min(answers.cols(), max_kept_answers);
     for (const Configuration q : answers.leftCols(kept).colwise())
       report_.all_answers.insert(report_.all_answers.end(), q.begin(), q.end());
-    return nearest_answer(answers, exchange.problem);
+    return nearest_answer(answers, exchange.problem, exchange.uncounted.arm(), wrap_);
   }
   if (message.has("q") || exchange.best.q.size() == 0) return message.joints(joints);
   return exchange.best.q;

@@ -94,9 +94,11 @@ class ProcessPool {
   std::vector<WorkerProcess> idle_;
 };
 
-// Returns the answer inside the limits that is nearest to the start, or the first answer if none is inside. `answers`
-// must have at least one column.
-robots::Configuration nearest_answer(const robots::Candidates& answers, const solvers::Problem& problem);
+// Returns the answer inside the limits that is nearest to the start, or the first answer if none is inside. Each answer
+// is measured as the policy will leave it, so that whole turns of an answer choose no other branch. `answers` must have
+// at least one column, and `chain` is of its joints.
+robots::Configuration nearest_answer(const robots::Candidates& answers, const solvers::Problem& problem,
+                                     const robots::Chain& chain, results::WrapPolicy policy);
 // The answers to one target that are kept in the store; further ones are lost.
 constexpr Eigen::Index max_kept_answers = 1000;
 
@@ -104,8 +106,9 @@ constexpr Eigen::Index max_kept_answers = 1000;
 // program fails, the error is infinite.
 class ExternalSolver final : public solvers::Searcher {
  public:
-  ExternalSolver(ProcessPool& pool, const solvers::StopRule& stop)  // both outlive the solver
-      : pool_(pool), stop_(stop), worker_(pool.acquire()) {}
+  // The pool and the rule must outlive the solver. `policy` is how the study wraps answers.
+  ExternalSolver(ProcessPool& pool, const solvers::StopRule& stop, results::WrapPolicy policy)
+      : pool_(pool), stop_(stop), wrap_(policy), worker_(pool.acquire()) {}
   ~ExternalSolver() override { pool_.release(std::move(worker_)); }
 
   // Sends the next batch in one message, and returns false if it failed. A batch may be sent more than once. With
@@ -155,6 +158,7 @@ class ExternalSolver final : public solvers::Searcher {
 
   ProcessPool& pool_;
   const solvers::StopRule& stop_;
+  const results::WrapPolicy wrap_;
   WorkerProcess worker_;
   ProcessReport report_;
   std::optional<ProcessFailure> failure_;  // last failure of this solve, with how the process ended

@@ -166,6 +166,30 @@ TEST_CASE("answers with the digits of files and whole turns are right", "[answer
               targets);
 }
 
+TEST_CASE("which of several answers counts does not depend on their whole turns", "[answers]") {
+  const std::string middle = "start = \"middle\"\n";
+  std::vector<Configuration> near = sample().solutions, turned, wrong;
+  for (Configuration& q : near) {
+    for (double& angle : q) angle = std::remainder(angle, whole_turn);
+    turned.push_back(q);
+    wrong.push_back(q);
+    for (double& angle : turned.back()) angle += angle > 0 ? -whole_turn : whole_turn;  // still inside the limits
+    for (double& angle : wrong.back()) angle += angle > 0 ? 0.05 : -0.05;               // a little farther away
+  }
+  for (const std::vector<Configuration>& right : {near, turned}) {
+    Rows rows = rows_of(wrong);
+    std::ranges::copy(rows_of(right), std::back_inserter(rows));
+    const Judged chosen = judged(csv_of(rows), middle);
+    check_right(chosen, targets);
+    for (std::size_t i = 0; i < chosen.solves.size(); ++i)
+      CHECK((to_eigen(chosen.solves[i].answer_rad) - near[i]).cwiseAbs().maxCoeff() < 1e-9);
+  }
+  // Without wraps the answers are measured as they are.
+  Rows rows = rows_of(wrong);
+  std::ranges::copy(rows_of(turned), std::back_inserter(rows));
+  CHECK(judged(csv_of(rows), middle + "wrap = \"no\"\n").right == 0);
+}
+
 TEST_CASE("the cause of wrong answers is found from the answers", "[answers]") {
   check_cause(rows_of(changed([](Configuration& q) { q /= base::degree; })), "angles are in degrees");
   check_cause(rows_of(changed([](Configuration& q) { std::swap(q[0], q[2]); })), "stand as q3, q2, q1, q4, q5, q6");
