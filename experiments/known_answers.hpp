@@ -16,7 +16,6 @@
 namespace ikbench::experiments {
 
 constexpr int restarts_per_target = 100;
-constexpr int max_counted_targets = 2000;  // the first ones; further ones are not counted
 
 // Returns why the answers of a study cannot be counted, such as "7 joints for 6 freedoms: infinitely many answers";
 // empty if they can.

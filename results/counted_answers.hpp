@@ -8,6 +8,8 @@
 
 namespace ikbench::results {
 
+constexpr int max_counted_targets = 2000;  // of a study, the first ones; further ones are not counted
+
 // The known answers of a target.
 struct KnownAnswers {
   int run = 1, point = 1;                 // run 1 if all runs have the same targets

@@ -31,23 +31,34 @@ void add_target(AnswerSummary& summary, const AnswerCount& count, int known) {
   summary.declined += count.given == 0 ? 1 : 0;
 }
 
+// Returns the number of known answers of each target that counts. Fills in what `all` says of the targets.
+std::map<Place, int> known_answers(const std::vector<KnownAnswers>& targets, AllAnswers& all) {
+  std::map<Place, int> known;
+  for (const KnownAnswers& target : targets) {
+    if (target.is_continuum)
+      ++all.continua;
+    else if (target.known == 0)
+      ++all.unknown;
+    else
+      known[{target.run, target.point}] = target.known;
+  }
+  all.targets = static_cast<int>(known.size());
+  if (known.empty()) return known;
+  const auto number = &std::pair<const Place, int>::second;
+  all.fewest_known = std::ranges::min_element(known, {}, number)->second;
+  all.most_known = std::ranges::max_element(known, {}, number)->second;
+  for (const auto& [place, answers] : known) all.mean_known += static_cast<double>(answers) / all.targets;
+  return known;
+}
+
 }  // namespace
 
 std::optional<AllAnswers> all_answers_of(const StudyResults& study) {
   if (study.answers.targets.empty()) return std::nullopt;
-  AllAnswers all;
-  std::map<Place, int> known;  // of targets that count
-  for (const KnownAnswers& target : study.answers.targets) {
-    all.continua += target.is_continuum ? 1 : 0;
-    if (!target.is_continuum && target.known > 0) known[{target.run, target.point}] = target.known;
-  }
-  all.targets = static_cast<int>(known.size());
-  if (!known.empty()) {
-    const auto number = &std::pair<const Place, int>::second;
-    all.fewest_known = std::ranges::min_element(known, {}, number)->second;
-    all.most_known = std::ranges::max_element(known, {}, number)->second;
-  }
-  for (const auto& [place, number] : known) all.mean_known += static_cast<double>(number) / all.targets;
+  const results::StudyDefinition& definition = study.definition;
+  AllAnswers all{.all_targets = std::int64_t{definition.points} * (definition.draws_targets ? definition.runs : 1),
+                 .repeats = definition.draws_targets ? 1 : definition.runs};
+  const std::map<Place, int> known = known_answers(study.answers.targets, all);
   MetricSamples complete{
       .metric = "complete", .quantity = "complete", .better = Better::larger, .kind = Proportions{}, .is_paired = true};
   for (const results::Series& series : study.series) {
@@ -59,7 +70,7 @@ std::optional<AllAnswers> all_answers_of(const StudyResults& study) {
       summary.wrong += count.wrong;
       summary.doubled += count.doubled;
       if (count.found > 0) summary.wrong_beside_right += count.wrong;
-      const auto target = known.find({study.definition.draws_targets ? count.run : 1, count.point});
+      const auto target = known.find({definition.draws_targets ? count.run : 1, count.point});
       if (target == known.end() || target->second < count.found) continue;
       add_target(summary, count, target->second);
       auto& [sum, runs] = is_complete[target->first];
@@ -78,24 +89,27 @@ std::optional<AllAnswers> all_answers_of(const StudyResults& study) {
     Sample values;
     for (const auto& [place, runs] : is_complete) {
       values.values.push_back(runs.first / runs.second);
-      summary.complete += runs.first == runs.second ? 1 : 0;  // in all runs
+      summary.complete += values.values.back();
     }
+    summary.complete /= std::max(1, all.targets);
     complete.groups.push_back({.name = series.label, .sample = std::move(values)});
     all.solvers.push_back(std::move(summary));
   }
-  if (!study.definition.draws_targets && study.definition.runs > 1)
-    complete.kind = Proportions{.trials_per_value = study.definition.runs};
-  if (all.targets > 0 && !complete.groups.empty()) all.complete = judge(std::move(complete), study.definition.plan);
+  if (all.repeats > 1) complete.kind = Proportions{.trials_per_value = all.repeats};
+  if (all.targets > 0 && !complete.groups.empty()) all.complete = judge(std::move(complete), definition.plan);
   return all;
 }
 
 std::string why_not_counted(const StudyResults& study) {
   if (!study.has_several_answers) return "";
-  const std::vector<KnownAnswers>& targets = study.answers.targets;
-  if (!targets.empty() && std::ranges::all_of(targets, &KnownAnswers::is_continuum))
-    return fmt::format("All answers are not counted: each of the {} has a singular answer.",
-                       base::counted(std::ssize(targets), "targets"));
-  if (!targets.empty()) return "";
+  if (const std::optional<AllAnswers> all = all_answers_of(study)) {
+    const auto has = [](int count) { return count == 1 ? "has" : "have"; };
+    if (all->complete) return "";
+    if (all->targets > 0) return "All answers are not counted yet. `ikbench run` with the store counts them.";
+    return fmt::format("All answers are not counted: of {}, {} {} a singular answer and {} {} no known one.",
+                       base::counted(std::int64_t{all->looked_at()}, "targets"), all->continua, has(all->continua),
+                       all->unknown, has(all->unknown));
+  }
   const auto arm = base::parsed_json(study.definition.arm);
   const std::size_t joints = arm.contains("links") ? arm["links"].size() : 0;
   const std::size_t freedoms = results::goal_freedoms(study.definition.search);

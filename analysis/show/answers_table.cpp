@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "analysis/show/text.hpp"
@@ -14,20 +15,23 @@ using namespace judge;
 
 namespace {
 
-// Returns "EAIK and ssik gave all known answers to all 78 targets, ur-analytic-ik to 70."
+// Returns "EAIK and ssik gave all known answers to all 78 targets, ur-analytic-ik to 70." Of several runs of the same
+// targets, shares are named, which are those of the table.
 std::string caption_of(const AllAnswers& all) {
-  const std::string targets = base::counted(std::int64_t{all.targets}, "targets");
-  if (all.targets == 0)
-    return fmt::format("No target counts: each of the {} has a singular answer.",
-                       base::counted(std::int64_t{all.continua}, "targets"));
+  const bool is_repeated = all.repeats > 1;
+  std::string targets = base::counted(std::int64_t{all.targets}, "targets");
+  if (is_repeated) targets += fmt::format(" in all {} runs", all.repeats);
   std::vector<std::string> complete, none, others;
   for (const AnswerSummary& solver : all.solvers) {
-    if (solver.complete == all.targets)
+    const double share = solver.complete;
+    if (share == 1)
       complete.push_back(solver.solver);
-    else if (solver.complete == 0)
+    else if (share == 0)
       none.push_back(solver.solver);
     else
-      others.push_back(fmt::format("{} to {}", solver.solver, solver.complete));
+      others.push_back(fmt::format(
+          "{} to {}", solver.solver,
+          is_repeated ? number_within(100 * share, {0, 100}) + " %" : fmt::format("{:.0f}", share * all.targets)));
   }
   if (!none.empty() && none.size() < all.solvers.size()) others.push_back(names_of(none) + " to none");
   const std::string rest = others.size() > max_named ? "" : listed(others);
@@ -35,6 +39,16 @@ std::string caption_of(const AllAnswers& all) {
     return fmt::format("{} gave all known answers to all {}{}{}.", names_of(complete), targets,
                        rest.empty() ? "" : "; ", rest);
   return fmt::format("No solver gave all known answers to all {}{}{}.", targets, rest.empty() ? "" : ": ", rest);
+}
+
+// Returns the solver with the largest share of complete targets; of several, one that does not depend on the order of
+// the study.
+std::string best_of(const AllAnswers& all) {
+  const auto is_worse = [](const AnswerSummary& first, const AnswerSummary& second) {
+    return std::tuple(first.complete, first.coverage, second.solver) <
+           std::tuple(second.complete, second.coverage, first.solver);
+  };
+  return std::ranges::max_element(all.solvers, is_worse)->solver;
 }
 
 // Returns the mark of a solver whose share of complete targets is shown to be smaller than that of the best one.
@@ -57,13 +71,18 @@ Cell complete_cell(const AllAnswers& all, const std::string& best, std::size_t s
 // Returns the notes of the table: what is counted, and what is wrong.
 std::vector<std::string> notes_of(const AllAnswers& all, const std::string& best, bool is_limited) {
   std::vector<std::string> notes;
-  if (all.targets > 0)
-    notes.push_back(fmt::format(
-        "A target has {} known {} on average ({} to {}): different ones{} that any solver of this study, or 100 "
-        "restarts of LM, found. Wrong and doubled: of answers to all {}, other columns: of the {} that count.",
-        number_text(all.mean_known), all.most_known == 1 ? "answer" : "answers", all.fewest_known, all.most_known,
-        is_limited ? " inside the limits" : "", base::counted(std::int64_t{all.targets} + all.continua, "targets"),
-        all.targets));
+  notes.push_back(fmt::format(
+      "A target has {} known {} on average ({} to {}): different ones{} that any solver of this study, or 100 "
+      "restarts of LM, found. Wrong and doubled: of answers to all {}, other columns: of the {} that count.",
+      number_text(all.mean_known), all.most_known == 1 ? "answer" : "answers", all.fewest_known, all.most_known,
+      is_limited ? " inside the limits" : "", base::counted(std::int64_t{all.looked_at()}, "targets"), all.targets));
+  if (all.all_targets > results::max_counted_targets)
+    notes.push_back(fmt::format("Only the first {} of the {} targets are looked at.", results::max_counted_targets,
+                                all.all_targets));
+  if (all.unknown > 0)
+    notes.push_back(fmt::format("{} {} not counted, because no answer{} is known.",
+                                base::counted(std::int64_t{all.unknown}, "targets"), all.unknown == 1 ? "is" : "are",
+                                is_limited ? " inside the limits" : ""));
   if (all.continua > 0)
     notes.push_back(fmt::format(
         "{} {} not counted, because a known answer is singular: there may be infinitely many, or several that coincide.",
@@ -93,15 +112,14 @@ Table answers_table(const StudyResults& study) {
               .columns = named_columns(
                   {"solver", "complete", "coverage", "answers per target", "wrong", "doubled", "declined"})};
   const std::optional<AllAnswers> all = all_answers_of(study);
-  if (!all) return table;
+  if (!all || !all->complete) return table;
   table.caption = caption_of(*all);
-  std::string best;
-  if (all->complete) best = std::ranges::max_element(all->solvers, {}, &AnswerSummary::complete)->solver;
+  const std::string best = best_of(*all);
   const auto is_marked = [&](const AnswerSummary& solver) {
-    return !best.empty() && !mark_of(*all->complete, best, solver.solver).empty();
+    return !mark_of(*all->complete, best, solver.solver).empty();
   };
   table.columns[1].unit = table.columns[2].unit = "%";
-  for (std::size_t i = 0; i < all->solvers.size() && all->complete; ++i) {
+  for (std::size_t i = 0; i < all->solvers.size(); ++i) {
     const AnswerSummary& solver = all->solvers[i];
     table.rows.push_back({solver.solver, complete_cell(*all, best, i),
                           ValueCell{.value = 100 * solver.coverage,

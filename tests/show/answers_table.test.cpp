@@ -12,6 +12,8 @@ using judge::StudyResults;
 // one that lacks an answer at some targets, and one that gives one answer, sometimes a wrong one beside it.
 StudyResults study_with_answers() {
   StudyResults study;
+  study.definition.runs = 1;
+  study.definition.points = 20;
   for (const char* const label : {"all", "lacking", "single"})
     study.series.push_back(
         {.key = std::string("key of ") + label, .label = label, .algorithm = label, .options = "{}"});
@@ -67,7 +69,52 @@ TEST_CASE("a study whose answers were not counted has no table, and says why if 
 TEST_CASE("where all targets have a singular answer no target counts", "[answers]") {
   StudyResults study = study_with_answers();
   for (results::KnownAnswers& target : study.answers.targets) target = {.point = target.point, .is_continuum = true};
+  study.answers.targets.front().is_continuum = false;
+  study.has_several_answers = true;
+  CHECK(answers_table(study).rows.empty());
+  CHECK(contains(judge::why_not_counted(study), "of 20 targets, 19 have a singular answer and 1 has no known one"));
+}
+
+TEST_CASE("of repeated runs the largest share is marked as the best, whatever the order, and the sentence has shares",
+          "[answers]") {
+  // B is complete in each first run and never in a second one, A in both runs of each fourth target.
+  for (const bool is_first : {true, false}) {
+    StudyResults study;
+    study.definition.runs = 2;
+    study.definition.points = 40;
+    const std::vector<std::string> labels =
+        is_first ? std::vector<std::string>{"A", "B"} : std::vector<std::string>{"B", "A"};
+    for (const std::string& label : labels)
+      study.series.push_back({.key = label, .label = label, .algorithm = label, .options = "{}"});
+    for (int point = 1; point <= 40; ++point) {
+      study.answers.targets.push_back({.point = point, .known = 2});
+      for (const int run : {1, 2}) {
+        study.answers.counts.push_back(
+            {.series = "A", .run = run, .point = point, .given = 1, .found = point % 4 == 0 ? 2 : 1});
+        study.answers.counts.push_back(
+            {.series = "B", .run = run, .point = point, .given = 1, .found = run == 1 ? 2 : 1});
+      }
+    }
+    const Table table = answers_table(study);
+    CHECK(table.caption ==
+          (is_first ? "No solver gave all known answers to all 40 targets in all 2 runs: A to 25 % and B to 50 %."
+                    : "No solver gave all known answers to all 40 targets in all 2 runs: B to 50 % and A to 25 %."));
+    CHECK(std::get<ValueCell>(table.rows[is_first ? 1 : 0][1]).mark.empty());
+    CHECK(std::get<ValueCell>(table.rows[is_first ? 1 : 0][1]).value == 50);
+    CHECK(std::get<ValueCell>(table.rows[is_first ? 0 : 1][1]).mark == "*");
+  }
+}
+
+TEST_CASE("the notes of all answers say of how many targets each number is", "[answers]") {
+  StudyResults study = study_with_answers();
+  study.definition.points = 3000;
+  study.answers.targets[0].known = 0;  // no answer is known
+  study.answers.counts[0] = {.series = "key of all", .point = 1};
   const Table table = answers_table(study);
-  CHECK(table.rows.empty());
-  CHECK(contains(table.caption, "No target counts: each of the 20 targets has a singular answer"));
+  const auto has_note = [&](const std::string& text) {
+    return std::ranges::any_of(table.notes, [&](const std::string& note) { return contains(note, text); });
+  };
+  CHECK(has_note("of answers to all 20 targets, other columns: of the 17 that count"));
+  CHECK(has_note("1 target is not counted, because no answer"));
+  CHECK(has_note("Only the first 2000 of the 3000 targets"));
 }
