@@ -159,17 +159,16 @@ AnswerCount count_of(const SolverAnswers& given, AnswerFinder& finder) {
   AnswerCount count{.series = given.series, .run = given.run, .given = static_cast<int>(given.answers.size())};
   std::vector<std::size_t> found;
   for (const Configuration& answer : given.answers) {
-    const Configuration turned = finder.turned(answer);
-    if (!finder.is_true(turned)) {
+    if (!finder.is_true(answer)) {
       ++count.wrong;
       continue;
     }
-    if (!finder.is_inside(turned)) continue;
-    const std::size_t index = finder.add(turned);
-    if (std::ranges::find(found, index) != found.end())
+    const std::optional<std::size_t> index = finder.add(answer);
+    if (!index) continue;
+    if (std::ranges::find(found, *index) != found.end())
       ++count.doubled;
     else
-      found.push_back(index);
+      found.push_back(*index);
   }
   count.found = static_cast<int>(found.size());
   return count;
@@ -183,10 +182,8 @@ std::optional<CountedAnswers> counts_of(const Study& study, const Robot& arm, Co
   for (const auto& [place, target] : targets) {
     if (cancelled != nullptr && *cancelled) return std::nullopt;
     AnswerFinder finder(study, arm, target.pose);
-    for (const Configuration& answer : rows_of(target.restarts_rad, arm.joints())) {
-      const Configuration turned = finder.turned(answer);
-      if (finder.is_true(turned) && finder.is_inside(turned)) finder.add(turned);
-    }
+    for (const Configuration& answer : rows_of(target.restarts_rad, arm.joints()))
+      if (finder.is_true(answer)) finder.add(answer);
     for (const SolverAnswers& given : target.given) {
       counted.counts.push_back(count_of(given, finder));
       counted.counts.back().point = place.second;
@@ -267,10 +264,11 @@ bool AnswerFinder::is_singular(const Configuration& exact) const {
   return jacobian.jacobiSvd().singularValues()[exact.size() - 1] < min_singular_value;
 }
 
-std::size_t AnswerFinder::add(const Configuration& answer) {
+std::optional<std::size_t> AnswerFinder::add(const Configuration& answer) {
   constexpr std::size_t most_of_continuum = 200;
   if (is_continuum_ && known_.size() >= most_of_continuum) return known_.size() + beyond_++;
-  const Configuration exact = polished(answer);
+  const Configuration exact = turned(polished(answer));
+  if (!is_inside(exact)) return std::nullopt;
   const auto is_same = [&](const Configuration& known) {
     for (Eigen::Index j = 0; j < exact.size(); ++j) {
       const bool slides = arm_.chain.slides(j);

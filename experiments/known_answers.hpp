@@ -26,17 +26,19 @@ class AnswerFinder {
  public:
   AnswerFinder(const Study& study, const Robot& arm, const Pose& target);
 
-  // Returns the answer [rad, m] turned into the limits by whole turns where that is possible.
-  Configuration turned(Configuration answer) const;
-  bool is_true(const Configuration& answer) const;    // within the tolerance
-  bool is_inside(const Configuration& answer) const;  // the limits, if the study enforces them
-  // Adds a true answer inside the limits, unless it is known. Returns the index among the known answers.
-  std::size_t add(const Configuration& answer);
+  bool is_true(const Configuration& answer) const;  // [rad, m], within the tolerance
+  // Adds a true answer, unless it is known. Returns the index among the known answers, or nullopt if the exact answer
+  // is outside the limits. The exact answer decides, because an answer at a rounded limit, such as 3.14159 for pi, may
+  // be within the tolerance of one that is outside.
+  std::optional<std::size_t> add(const Configuration& answer);
   const std::vector<Configuration>& known() const { return known_; }
   // Returns whether a known answer is singular. There may then be a continuum of answers, or several that coincide.
   bool is_continuum() const { return is_continuum_; }
 
  private:
+  // Returns the answer turned into the limits by whole turns where that is possible.
+  Configuration turned(Configuration answer) const;
+  bool is_inside(const Configuration& answer) const;  // the limits, if the study enforces them
   // Returns the answer after Newton's steps, whose error is about 1e-15 m.
   Configuration polished(const Configuration& answer) const;
   // Returns whether the Jacobian at a polished answer has a singular value [m, rad] below 1e-4.

@@ -96,7 +96,7 @@ TEST_CASE("a closed form that lacks a branch, has a wrong one or doubles one is 
   AnswerFinder finder(study, arm, target);
   const std::vector<double>& restarts = first.targets[0].restarts_rad;
   for (std::size_t i = 0; i < restarts.size(); i += 6)
-    finder.add(finder.turned(Eigen::Map<const Eigen::VectorXd>(restarts.data() + i, 6)));
+    finder.add(Eigen::Map<const Eigen::VectorXd>(restarts.data() + i, 6));
   REQUIRE(finder.known().size() == 8);
   const Rows all = finder.known();
   Rows lacking(all.begin() + 1, all.end()), wrong = all, doubled = all;
@@ -117,6 +117,37 @@ TEST_CASE("a closed form that lacks a branch, has a wrong one or doubles one is 
   is("lacking", {7, 7, 0, 0});
   is("wrong", {8, 7, 1, 0});
   is("doubled", {9, 8, 0, 1});
+}
+
+TEST_CASE("an exact answer beyond a rounded limit is not known, whoever gives a neighbour inside", "[known]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "a.sqlite", Store::Mode::write);
+  const Configuration exact = degrees({180, -60, 80, 40, 50, 60});
+  Configuration beside = exact;
+  beside[0] = 3.14159;  // 2.7 um from the target, within the tolerance of 10 um
+  write_text(folder.path / "arm.toml", R"(
+    summary = "a UR5e whose first joint has limits of 3.14159 rad"
+    source = "robots/arms/ur5e.toml"
+    links = [
+      { d_m = 0.1625, alpha_deg = -90, limits_deg = [-179.999848, 179.999848] },
+      { a_m = 0.425, limits_deg = [-360, 360] },
+      { a_m = 0.3922, limits_deg = [-180, 180] },
+      { d_m = 0.1333, alpha_deg = -90, limits_deg = [-360, 360] },
+      { d_m = 0.0997, alpha_deg = 90, limits_deg = [-360, 360] },
+      { limits_deg = [-360, 360] },
+    ]
+    tool = { position_m = [0, 0, 0.0996], rpy_deg = [0, 0, -180] }
+  )");
+  write_answers_file(folder.path / "exact.csv", {{exact, exact}});
+  write_answers_file(folder.path / "beside.csv", {{beside, beside}});
+  std::string text = study_text("ur5e", {exact}, {"exact", "beside"});
+  boost::replace_all(text, "\"ur5e\"", "\"arm.toml\"");
+  const CountedAnswers counted = counted_in(folder.path, text, store);
+  const results::StoredStudy stored = store.study("my");
+  const AnswerCount of_exact = count_of(counted, stored, "exact"), of_beside = count_of(counted, stored, "beside");
+  CHECK((of_exact.found == 0 && of_exact.wrong == 0));
+  CHECK((of_beside.found == 0 && of_beside.wrong == 0));
+  CHECK(counted.targets[0].known > 0);  // other branches, which neither gives
 }
 
 TEST_CASE("the counts of all answers follow again from the solves, whatever the jobs", "[known]") {
