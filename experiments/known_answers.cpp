@@ -90,6 +90,7 @@ struct SolverAnswers {
 struct CountedTarget {
   Pose pose;
   std::vector<SolverAnswers> given = {};
+  bool has_restarts = false;  // also if none of them reached the target
   std::vector<double> restarts_rad = {};
 };
 using CountedTargets = std::map<std::pair<int, int>, CountedTarget>;  // by run (1 if all runs have it) and point
@@ -122,8 +123,8 @@ CountedTargets targets_of(const Study& study, const StoredStudy& stored, const S
 // Makes the restarts of all targets if any target has none. They are made for all of the study's first targets, so that
 // the starts do not depend on which solves are there. Returns false if the request was cancelled.
 bool make_restarts(const Study& study, CountedTargets& targets, int jobs, const std::atomic<bool>* cancelled) {
-  const auto has_none = [](const auto& target) { return target.second.restarts_rad.empty(); };
-  if (std::ranges::none_of(targets, has_none)) return true;
+  const auto has_restarts = [](const auto& target) { return target.second.has_restarts; };
+  if (std::ranges::all_of(targets, has_restarts)) return true;
   const Robot arm = robot_of(study);
   std::vector<Pose> poses;
   std::vector<CountedTarget*> by_index;  // null: not among the targets
@@ -289,6 +290,7 @@ std::optional<std::size_t> AnswerFinder::add(const Configuration& answer) {
 void count_answers(const Study& study, const StoredStudy& stored, Store& store, int jobs,
                    const std::atomic<bool>* cancelled) {
   const Robot arm = robot_of(study);
+  if (stored.definition.is_grid()) return;  // a map shows no counts
   const auto may_give_several = [](const SolverEntry& entry) { return entry.program || entry.answers; };
   CountedAnswers earlier = store.counted_answers(stored.name);
   CountedTargets targets;
@@ -300,8 +302,10 @@ void count_answers(const Study& study, const StoredStudy& stored, Store& store, 
   }
   if (earlier.restarts_key == series_key(study, restarting_entry()))
     for (KnownAnswers& known : earlier.targets)
-      if (const auto target = targets.find({known.run, known.point}); target != targets.end())
+      if (const auto target = targets.find({known.run, known.point}); target != targets.end()) {
+        target->second.has_restarts = true;
         target->second.restarts_rad = std::move(known.restarts_rad);
+      }
   if (const auto counted = counts_of(study, arm, std::move(targets), jobs, cancelled))
     store.save_counted_answers(stored.name, *counted);
 }

@@ -53,8 +53,9 @@ class AnswerFinder {
   std::size_t beyond_ = 0;  // answers of a continuum that were not kept
 };
 
-// Counts the answers of a study and saves the counts in the store. Does nothing if the study's answers cannot be
-// counted, or if no solver gave several answers to a target. Restarts that the store has are not made again.
+// Counts the answers of a study and saves the counts in the store. Does nothing if the targets are a grid, if the
+// study's answers cannot be counted, or if no solver gave several answers to a target. Restarts that the store has are
+// not made again.
 void count_answers(const Study& study, const results::StoredStudy& stored, results::Store& store, int jobs,
                    const std::atomic<bool>* cancelled = nullptr);
 

@@ -170,6 +170,31 @@ TEST_CASE("the counts of all answers follow again from the solves, whatever the 
   CHECK_FALSE(recounted_answers(stored, store));
 }
 
+TEST_CASE("restarts that were tried are not made again, even if none reached the target", "[known]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "a.sqlite", Store::Mode::write);
+  const std::vector reached{degrees({45, 0, 90, 90, 90, 180})};
+  write_answers_file(folder.path / "mine.csv", {{reached[0], reached[0]}});
+  const std::string text = study_text("ur5e", reached, {"mine"});
+  CountedAnswers tried = counted_in(folder.path, text, store);
+  REQUIRE(!tried.targets[0].restarts_rad.empty());
+  tried.targets[0].restarts_rad.clear();
+  store.save_counted_answers("my", tried);
+  const CountedAnswers again = counted_in(folder.path, text, store);
+  CHECK(again.targets[0].restarts_rad.empty());
+  CHECK(again.targets[0].known == 1);
+}
+
+TEST_CASE("the answers to a grid are not counted, because a map shows no counts", "[known]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "a.sqlite", Store::Mode::write);
+  const Configuration any = degrees({10, 20, 30, 40, 50, 60});
+  write_answers_file(folder.path / "mine.csv", {{any, any}});
+  std::string text = study_text("ur5e", {}, {"mine"});
+  boost::replace_all(text, "kind = \"poses\"\nposes = [\n]", "kind = \"grid\"\nstep_cm = 20");
+  CHECK(counted_in(folder.path, text, store).targets.empty());
+}
+
 TEST_CASE("answers of an arm with more joints than the goal fixes are not counted", "[known]") {
   const Study of_seven =
       read("search = \"pose\"\n[[solvers]]\nsolver = \"newton\"\n[stop]\ntolerance_cm = 1\ntolerance_deg = 1\n");
