@@ -1,12 +1,15 @@
 #include "analysis/show/map_sentence.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "analysis/show/text.hpp"
 #include "base/json.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::show {
 
@@ -14,11 +17,17 @@ using namespace judge;
 
 namespace {
 
-// A solver with the number of targets that it solves.
-using Reached = std::pair<std::string, std::size_t>;
+// Solvers, each with a number of targets.
+using Numbers = std::vector<std::pair<std::string, std::size_t>>;
 
-std::vector<Reached> reached_by(const SolvedTargets& all, const std::vector<std::string>& solvers) {
-  std::vector<Reached> reached;
+// The words for one target, or one solver, and for several.
+struct Words {
+  std::string one, many;
+};
+
+// Returns how many targets each solver solves.
+Numbers reached_by(const SolvedTargets& all, const std::vector<std::string>& solvers) {
+  Numbers reached;
   for (const std::string& name : solvers) {
     const auto solver = static_cast<std::size_t>(std::ranges::find(all.solvers, name) - all.solvers.begin());
     if (solver == all.solvers.size()) continue;
@@ -30,44 +39,61 @@ std::vector<Reached> reached_by(const SolvedTargets& all, const std::vector<std:
   return reached;
 }
 
-// Returns "Newton misses 2, DE 5 and KDL 523", of many solvers only the first.
-std::string misses_text(const std::vector<Reached>& reached, std::size_t solvable) {
-  std::vector<std::string> parts;
-  for (const auto& [name, count] : reached) {
-    if (count == solvable) continue;
-    parts.push_back(fmt::format("{} {}{}", name, parts.empty() ? "misses " : "", solvable - count));
+// Returns the range of the numbers from `first` on: "2 other solvers miss 5 to 523".
+std::string others_text(const Numbers& numbers, std::size_t first, const Words& verb) {
+  std::size_t fewest = numbers[first].second, most = fewest;
+  for (std::size_t i = first; i < numbers.size(); ++i) {
+    fewest = std::min(fewest, numbers[i].second);
+    most = std::max(most, numbers[i].second);
   }
-  return parts.size() == 2 ? fmt::format("{}, {}", parts[0], parts[1]) : names_of(parts);
+  const std::string range = fewest == most ? fmt::format("{} each", most) : fmt::format("{} to {}", fewest, most);
+  return fmt::format("{} other solvers {} {}", numbers.size() - first, verb.many, range);
 }
 
-// Returns "LM reaches 26 poses, DLS 26 and Newton 25".
-std::string counts_text(const std::vector<Reached>& reached, const std::string& noun) {
+// Returns "LM reaches 26 poses, DLS 26 and Newton 25"; of many solvers the first are named, and the others have a
+// range. Without nouns the first number has none.
+std::string numbers_text(const Numbers& numbers, const Words& verb, const std::optional<Words>& nouns = {}) {
+  const std::size_t named = numbers.size() > base::max_named ? base::max_named - 1 : numbers.size();
   std::vector<std::string> parts;
-  for (const auto& [name, count] : reached)
-    parts.push_back(parts.empty() ? fmt::format("{} reaches {} {}", name, count, noun)
-                                  : fmt::format("{} {}", name, count));
-  return names_of(parts);
+  for (std::size_t i = 0; i < named; ++i) {
+    const auto& [name, number] = numbers[i];
+    std::string part = fmt::format("{} {}{}", name, i == 0 ? verb.one + ' ' : "", number);
+    if (i == 0 && nouns) part += ' ' + (number == 1 ? nouns->one : nouns->many);
+    parts.push_back(std::move(part));
+  }
+  if (named < numbers.size()) return fmt::format("{}; {}", fmt::join(parts, ", "), others_text(numbers, named, verb));
+  const bool are_two_misses = parts.size() == 2 && !nouns;
+  return are_two_misses ? fmt::format("{}, {}", parts[0], parts[1]) : listed(parts);
 }
 
 // Returns who reaches how many of the solvable targets.
-std::string reached_text(const SolvedTargets& all, const std::vector<Reached>& reached, const std::string& noun) {
+std::string reached_text(const SolvedTargets& all, const Numbers& reached, const Words& nouns) {
   const auto solvable = all.targets.size() - static_cast<std::size_t>(std::ranges::count(all.targets, std::size_t{0},
                                                                                          &SolvedTarget::solvers));
   const bool is_alone = reached.size() == 1;
-  if (solvable == 0 && is_alone)
-    return fmt::format("{} reaches none of the {} {}", reached.front().first, all.targets.size(), noun);
-  if (solvable == 0) return fmt::format("No solver reaches any of the {} {}", all.targets.size(), noun);
+  const std::string& first = reached.front().first;
+  if (solvable == 0 && all.targets.size() == 1)
+    return is_alone ? fmt::format("{} does not reach the only {}", first, nouns.one)
+                    : fmt::format("No solver reaches the only {}", nouns.one);
+  if (solvable == 0)
+    return is_alone ? fmt::format("{} reaches none of the {} {}", first, all.targets.size(), nouns.many)
+                    : fmt::format("No solver reaches any of the {} {}", all.targets.size(), nouns.many);
+  const std::string counted = fmt::format("{} {}", solvable, solvable == 1 ? nouns.one : nouns.many);
+  if (is_alone) return fmt::format("{} reaches {}", first, counted);
   std::vector<std::string> complete;
-  for (const auto& [name, count] : reached)
-    if (count == solvable) complete.push_back(name);
-  if (is_alone) return fmt::format("{} reaches {} {}", reached.front().first, solvable, noun);
-  if (complete.size() == reached.size())
-    return fmt::format("{} reach the same {} {}", names_of(complete), solvable, noun);
-  const std::string misses = misses_text(reached, solvable);
-  if (complete.empty())
-    return fmt::format("No solver reaches all {} {} that any solver reaches: {}", solvable, noun, misses);
-  return fmt::format("{} {} all {} {} that any solver reaches; {}", names_of(complete),
-                     complete.size() == 1 ? "reaches" : "reach", solvable, noun, misses);
+  Numbers missed;
+  for (const auto& [name, count] : reached) {
+    if (count == solvable)
+      complete.push_back(name);
+    else
+      missed.emplace_back(name, solvable - count);
+  }
+  if (missed.empty()) return fmt::format("{} reach the same {}", names_of(complete), counted);
+  const std::string misses = numbers_text(missed, {"misses", "miss"});
+  if (complete.empty()) return fmt::format("No solver reaches all {} that any solver reaches: {}", counted, misses);
+  return fmt::format("{} {} {} that any solver reaches; {}", names_of(complete),
+                     complete.size() == 1 ? "reaches" : "reach",
+                     solvable == 1 ? "the one " + nouns.one : "all " + counted, misses);
 }
 
 }  // namespace
@@ -75,12 +101,13 @@ std::string reached_text(const SolvedTargets& all, const std::vector<Reached>& r
 std::string map_sentence(const JudgedStudy& judged, const std::vector<std::string>& solvers) {
   const SolvedTargets& all = judged.targets;
   const results::StudyDefinition& definition = judged.study.definition;
-  const std::string noun = definition.has_direction() ? "poses" : "positions";
+  const Words nouns = definition.has_direction() ? Words{"pose", "poses"} : Words{"position", "positions"};
   const auto unsolved = std::ranges::count(all.targets, std::size_t{0}, &SolvedTarget::solvers);
-  const std::vector<Reached> reached = reached_by(all, solvers);
+  const Numbers reached = reached_by(all, solvers);
   const std::string grid = as_sentence(definition.grid_text());
-  if (!all.is_complete) return fmt::format("Solves are missing. So far, {}. {}.", counts_text(reached, noun), grid);
-  const std::string who = reached_text(all, reached, noun);
+  if (!all.is_complete)
+    return fmt::format("Solves are missing. So far, {}. {}.", numbers_text(reached, {"reaches", "reach"}, nouns), grid);
+  const std::string who = reached_text(all, reached, nouns);
   if (unsolved == 0 || unsolved == std::ssize(all.targets)) return fmt::format("{}. {}.", who, grid);
   return fmt::format("{}. {}; {} within reach {} solved by none.", who, grid,
                      unsolved == 1 ? "one other" : fmt::format("{} others", unsolved), unsolved == 1 ? "is" : "are");

@@ -5,16 +5,16 @@
 
 namespace {
 
-// Returns a study of a grid of five targets. A solver is given by the targets that it solves: "++-+-".
+// Returns a study of a grid. A solver is given by the targets that it solves: "++-+-".
 judge::JudgedStudy grid_study(const std::vector<std::pair<std::string, std::string>>& solvers) {
   judge::JudgedStudy judged;
   results::StudyDefinition& study = judged.study.definition;
   study.search = results::Search::pose;
-  study.points = 5;
+  study.points = static_cast<int>(solvers.front().second.size());
   study.grid = {.step = 0.05, .across = {1, 0, 0}, .up = {0, 0, 1}, .shoulder = {0, 0, 0.2}, .reach = 1, .left_out = 7};
   judge::SolvedTargets& all = judged.targets;
   all.is_complete = true;
-  for (int point = 1; point <= 5; ++point) {
+  for (int point = 1; point <= study.points; ++point) {
     judge::SolvedTarget& target = all.targets.emplace_back(judge::SolvedTarget{.point = point});
     for (const auto& [name, solved] : solvers) {
       const bool is_solved = solved[static_cast<std::size_t>(point - 1)] == '+';
@@ -41,6 +41,17 @@ TEST_CASE("a grid has a sentence for each case", "[show]") {
   add(grid_study({{"LM", "-----"}, {"DLS", "-----"}}));
   add(grid_study({{"LM", "++---"}}));
   add(grid_study({{"LM", "-----"}}));
+  const std::vector<std::pair<std::string, std::string>> many{{"LM", "+++++"},   {"full", "++++-"}, {"twice", "++++-"},
+                                                              {"less", "+++--"}, {"PSO", "++---"},  {"DE", "-----"}};
+  add(grid_study(many));
+  judge::JudgedStudy partial = grid_study(many);
+  partial.targets.is_complete = false;
+  add(partial);
+  add(grid_study({{"LM", "+---"}, {"DLS", "+---"}}));
+  add(grid_study({{"LM", "+---"}, {"DLS", "----"}}));
+  add(grid_study({{"LM", "+---"}}));
+  add(grid_study({{"LM", "-"}}));
+  add(grid_study({{"LM", "-"}, {"DLS", "-"}}));
   judge::JudgedStudy judged = grid_study({{"LM", "+++--"}, {"DLS", "+----"}});
   judged.targets.is_complete = false;
   add(judged);
