@@ -92,6 +92,8 @@ TEST_CASE("a grid is refused with what to change", "[path][grid]") {
   CHECK_THAT(refusal_of_grid("ur5e", {"path.step_cm=0.1"}), ContainsSubstring("expected at most 100000: step_cm = 1"));
   CHECK_THAT(refusal_of_grid("ur5e", {"path.step_cm=500"}), ContainsSubstring("expected a smaller step"));
   CHECK_THAT(refusal_of_grid("planar_3", {"path.tool=directions"}), ContainsSubstring("expected search = \"pose\""));
+  CHECK_THAT(refusal_of_grid("planar_3", {"path.tool=directions", "search=axis"}),
+             ContainsSubstring("parallel to all axes of planar_3"));
   CHECK_THAT(refusal_of_grid("ur5e", {"start=previous"}), ContainsSubstring("expected another start"));
   CHECK_THAT(refusal_of_grid("ur5e", {"runs=3"}), ContainsSubstring("expected runs = 1"));
 }

@@ -118,6 +118,7 @@ class Grid final : public TargetSet {
     grid_.reach = ball.radius;
     check_step(arm.name);
     const Eigen::Matrix3d held = axis ? arm.chain.forward(Configuration::Zero(arm.joints())).linear() : held_in(plane);
+    if (axis) check_directions(arm.name, *axis, held.col(2), aim);
     place(plane, held, aim);
     leave_out(arm, aim);
     if (poses_.empty())
@@ -171,6 +172,18 @@ class Grid final : public TargetSet {
     if (tool_ == Tool::directions && !has_direction(aim))
       throw std::invalid_argument(
           "path.tool is \"directions\", but only the position is searched; expected search = \"pose\" or \"axis\"");
+  }
+
+  // Refuses directions of a tool whose axis no joint turns, because it is parallel to all axes of the arm.
+  void check_directions(const std::string& arm, const Eigen::Vector3d& common_axis, const Eigen::Vector3d& tool,
+                        const Aim& aim) const {
+    constexpr double parallel = 1e-6;  // [rad]
+    if (tool_ != Tool::directions || aim.search != results::Search::axis) return;
+    if (common_axis.cross(tool).norm() > parallel) return;
+    throw std::invalid_argument(
+        fmt::format("path.tool is \"directions\", but the tool's axis is parallel to all axes of {}, so that no joint "
+                    "turns it; expected tool = \"down\"",
+                    arm));
   }
 
   // Refuses a step that makes too many targets, before one is made, or only one.
