@@ -73,6 +73,15 @@ std::string reason_not_tested(const ReportModel& model, const JudgedMetric& judg
 
 std::string in_brackets(const std::string& text) { return text.empty() ? "" : fmt::format(" ({})", text); }
 
+// Returns names with their numbers and a remark about them: "B 18 (inconclusive)", but "B 2 (18, inconclusive)" and
+// "B 2 (18), B 3 (17), inconclusive", because two brackets in a row are hard to read.
+std::string with_remark(std::string text, const std::string& remark, std::size_t names) {
+  if (remark.empty() || !text.ends_with(')')) return text + in_brackets(remark);
+  if (names > 1) return fmt::format("{}, {}", text, remark);
+  text.pop_back();
+  return fmt::format("{}, {})", text, remark);
+}
+
 // Returns the names, each with its number: "PSO 88"; "LM 0.1 (88)" if a name has a digit or ends with a sign, because
 // two numbers side by side would read as one.
 Names joined(const Names& names, const Names& numbers) {
@@ -336,8 +345,9 @@ class QuestionTeller {
     Names others = names_that(statement.solvers, [&](const std::string& name) { return !is_highest(name); });
     const std::string text = fmt::format("{} {}", names_of(firsts), highest_count(firsts.front()));
     if (others.empty()) return text;
-    return fmt::format("{}, {}{}", text, lower_counts(others, ", "),
-                       is_without_winner() ? "" : in_brackets(difference_text(statement.kind)));
+    return fmt::format("{}, {}", text,
+                       with_remark(lower_counts(others, ", "),
+                                   is_without_winner() ? "" : difference_text(statement.kind), others.size()));
   }
   std::string difference_text(Kind kind) const {
     if (kind == Kind::inconclusive) return "inconclusive";
@@ -466,7 +476,7 @@ class QuestionTeller {
     }
     Names texts = joined(known, values);
     texts.insert(texts.end(), unknown.begin(), unknown.end());
-    if (!is_first) return fmt::format("Not tested{}: {}{}", against, names_of(texts), in_brackets(reason));
+    if (!is_first) return fmt::format("Not tested{}: {}", against, with_remark(names_of(texts), reason, texts.size()));
     return fmt::format("Not tested{}{}. {}: {}", against, reason.empty() ? "" : ": " + reason, quantity_as_title(),
                        names_of(texts, ", "));
   }

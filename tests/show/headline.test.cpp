@@ -78,6 +78,9 @@ TEST_CASE("numbers of a headline stand behind their solvers, equal ones together
   };
   CHECK(of({{"A", 20}, {"B", 20}, {"C", 18}}) == "No clear winner: A and B solved all 20 targets, C 18.");
   CHECK(of({{"A", 19}, {"B", 18}, {"C", 3}}) == "A solved 19 of 20 targets, B 18 (inconclusive); C (3) is worse.");
+  CHECK(of({{"A", 19}, {"B=2", 18}, {"C", 3}}) == "A solved 19 of 20 targets, B=2 (18, inconclusive); C (3) is worse.");
+  CHECK(of({{"A", 19}, {"B=2", 18}, {"B=3", 17}, {"C", 3}}) ==
+        "A solved 19 of 20 targets, B=2 (18), B=3 (17), inconclusive; C (3) is worse.");
   CHECK(of({{"A", 20}, {"B", 20}, {"C", 3}}) == "A and B solved all 20 targets; C (3) is worse.");
   CHECK(of({{"A", 20}, {"B", 20}, {"C", 19}, {"D", 19}, {"E", 18}, {"F", 18}, {"G", 18}}) ==
         "No clear winner: A and B solved all 20 targets, 5 others 18 to 19.");
