@@ -131,7 +131,8 @@ Study study_of(const StudyToRun& arguments, const experiments::SweptStudy& swept
   static_cast<void>(apply_style({study.figures}, labels_of(study), arguments.report));
   refuse_wrong_requirements(arguments.report, study, labels_in_file(study));
   if (study.path->grid() != nullptr && !arguments.report.requirements.empty())
-    throw std::invalid_argument(fmt::format("--require: {}", grid_is_no_sample));
+    throw std::invalid_argument(
+        "--require: " + grid_has_no_requirement(study.robot, parse_requirement(arguments.report.requirements.front())));
   const std::vector<judge::Metric> metrics = judge::metrics_of(study);
   if (!study.plan.metric.empty()) static_cast<void>(judge::metric_named(study.plan.metric, metrics));
   return study;

@@ -8,9 +8,9 @@
 
 namespace ikbench::results {
 
-// The reason why a study of a grid has no requirements.
+// The reason why a study of a grid is neither compared nor has requirements.
 inline constexpr std::string_view grid_is_no_sample =
-    "the targets are a grid, which is no random sample, so that nothing is shown of a share; expected other targets";
+    "the targets are a grid, which is no random sample, so that nothing is shown of a share";
 
 struct Requirement {
   std::string solver = {};  // label; empty: the user's own solvers, or all solvers if none is the user's
@@ -20,6 +20,9 @@ struct Requirement {
   bool operator==(const Requirement&) const = default;
   std::string text() const;  // "solved=95%" or "mine.solved=95%", as parse_requirement reads it
 };
+
+// Returns why a grid of this arm has no requirement, with a command that asks for the share on random targets.
+std::string grid_has_no_requirement(std::string_view robot, const Requirement& wanted);
 
 // Reads "solved=95%" or "LABEL.solved=95%"; the label may have dots and blanks. Throws std::invalid_argument if the
 // text has another form, names another metric than a share, or a share that no number of targets can show.

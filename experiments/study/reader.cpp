@@ -349,9 +349,10 @@ void convert_initial(const TomlReader& reader, Study& study, const Robot& arm) {
 
 // Reads [require], whose labels must be of the study. A label that a sweep splits stands for all that the sweep made.
 void read_requirements(const TomlReader& require, Study& study) {
-  if (study.path->grid() != nullptr && !require.table().empty())
-    throw std::invalid_argument(fmt::format("[require]: {}", results::grid_is_no_sample));
   study.requirements = results::for_swept_labels(results::read_requirements(require), labels_in_file(study));
+  if (study.path->grid() != nullptr && !study.requirements.empty())
+    throw std::invalid_argument("[require]: " +
+                                results::grid_has_no_requirement(study.robot, study.requirements.front()));
   for (const results::Requirement& requirement : study.requirements) {
     const std::string lack = results::lack_of_share(study, requirement.metric);
     if (!lack.empty()) throw require.mistake(requirement.metric, lack);

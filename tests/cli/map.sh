@@ -19,7 +19,10 @@ has "$same" "$(python3 -c 'import json; print(json.dumps(json.load(open("again/r
 succeeds verify map/store.sqlite
 refused "no random sample" compare map/store.sqlite map/store.sqlite
 refused "no random sample" report map/store.sqlite --require solved=95% --figures none --out again
-refused "no random sample" run map --robot ur5e "${coarse[@]}" --require solved=95% --out required
+refused "no random sample" run map --robot ur5e "${coarse[@]}" --require LM.solved=50% --out required
+asked="$(grep -o '`ikbench [^`]*`' <<<"${err//$'\n'/ }" | tr -d '`' | tr -s ' ')"
+equal "the command for random targets" "$asked" "ikbench run --robot ur5e --require solved=50%"
+succeeds ${asked#ikbench } --only LM --figures none --out random
 refused "step_cm = " run map --robot ur5e --set path.step_cm=0.1 --out fine
 
 succeeds run map --robot ur5e "${coarse[@]}" --shard 1/2 --out one
