@@ -162,7 +162,7 @@ class Grid final : public TargetSet {
   void check_reach(const Robot& arm, double reach, const Aim& aim) const {
     if (!std::isfinite(reach))
       throw std::invalid_argument(fmt::format(
-          "path.kind is \"grid\", but the reach of {} is not known, because a joint that slides has no limits; "
+          "path.kind is \"grid\", but the reach of {} is not known, because a prismatic joint has no limits; "
           "expected another kind",
           arm.name));
     constexpr double min_reach = 1e-6;  // [m]
