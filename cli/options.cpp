@@ -91,9 +91,8 @@ void add_json_option(const Command& command, bool& is_json) {
 
 void show_json(const base::OrderedJson& json) { fmt::print("{}\n", base::text_of(json, 2)); }
 
-void add_study_option(const Command& command, std::string& study) {
-  command.add("--study", &study,
-              "name of the study; default: the first in the store; report and verify take all studies of a sweep");
+void add_study_option(const Command& command, std::string& study, const std::string& meaning) {
+  command.add("--study", &study, meaning);
 }
 
 }  // namespace ikbench::cli

@@ -80,6 +80,7 @@ void add_json_option(const Command& command, bool& is_json);
 // Prints JSON on standard output.
 void show_json(const nlohmann::ordered_json& json);
 // Adds --study, the name of a study in a store.
-void add_study_option(const Command& command, std::string& study);
+void add_study_option(const Command& command, std::string& study,
+                      const std::string& meaning = "name of the study; default: the first in the store");
 
 }  // namespace ikbench::cli

@@ -70,7 +70,8 @@ void add_report(const Command& command, Invocation& invocation) {
       .add("STORE", &arguments->stores,
            "path of a store.sqlite; several stores make one table, with a column per study")
       .required();
-  add_study_option(command, arguments->study);
+  add_study_option(command, arguments->study,
+                   "name of the study; default: all studies of a sweep, otherwise the first in the store");
   add_out_option(command, arguments->out, "folder to write to; default: the folder of the store");
   add_report_options(command, arguments->report, true);
   command.footer(

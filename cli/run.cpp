@@ -264,7 +264,8 @@ void add_run(const Command& command, Invocation& invocation) {
                   "default with --robot: {}",
                   study_of_any_arm));
   command.add("--robot", &arguments->robot, "arm to use: my_arm.urdf, my_arm.toml, ur5e");
-  add_study_option(command, arguments->study_of_store);
+  add_study_option(command, arguments->study_of_store,
+                   "if STUDY is a store: name of the study to run again; default: the first in the store");
   add_link_options(command, arguments->urdf.base, arguments->urdf.tip);
   command
       .add("--limit", &arguments->limit,

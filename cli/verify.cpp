@@ -135,7 +135,8 @@ int verify_study(const Store& store, const StoredStudy& study, const VerifyArgum
 void add_verify(const Command& command, Invocation& invocation) {
   auto arguments = std::make_shared<VerifyArguments>();
   command.add("STORE", &arguments->store, "path of a store.sqlite").required();
-  add_study_option(command, arguments->study);
+  add_study_option(command, arguments->study,
+                   "name of the study; default: all studies of a sweep, otherwise the first in the store");
   command.add("--solves", &arguments->solves, "number of solves to repeat, chosen at random").whole_number();
   command.add("--seal", &arguments->seal, "the seal of the archive, as printed in a paper or with a release");
   command.footer(
