@@ -211,8 +211,8 @@ bool lacks_locks(const std::string& file) {
       if (error.getExtendedErrorCode() == SQLITE_READONLY_DBMOVED) refuse_taken_away(file);
       if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK)
         throw InterruptedWrite(fmt::format(
-            "'{}' is half-written, because ikbench was killed; keep '{}-journal' beside it and give the command that "
-            "was killed again, which undoes the unfinished write and continues",
+            "'{}' is half-written, because ikbench was killed or its disk failed; keep '{}-journal' beside it and "
+            "repeat the command that wrote it, which undoes the unfinished write and continues",
             file, file));
       [[fallthrough]];
     case SQLITE_CANTOPEN:

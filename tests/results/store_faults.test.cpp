@@ -378,7 +378,7 @@ TEST_CASE_METHOD(StoreFile, "a store that a kill left half-written is told apart
   leave_half_written(file);
   CHECK_THAT(refusal(file), ContainsSubstring("is half-written, because ikbench was killed") &&
                                 ContainsSubstring(quoted(std::filesystem::path(file.string() + "-journal"))) &&
-                                ContainsSubstring("give the command that was killed again"));
+                                ContainsSubstring("repeat the command that wrote it"));
   CHECK(Store(file, Store::Mode::write).close() == std::vector{file});
   const std::vector<SolveRecord> solves = solves_of(Store(file, Store::Mode::read), "table-3");
   REQUIRE(solves.size() == 40);
