@@ -1,6 +1,11 @@
-// Loaded before everything else (LD_PRELOAD): of the calls for files that the process makes, that with the number
-// IKBENCH_FAILS fails once, as on a disk that is worn out. A file IKBENCH_CALLS then has its name; or, if none failed,
-// how many there are.
+// Loaded before everything else (LD_PRELOAD), this counts the calls for files that the process makes. The call with the
+// number IKBENCH_FAILS fails, and its name is written to the file IKBENCH_CALLS. If none failed, the number of calls
+// is. IKBENCH_HOW says how it fails:
+//   once         as on a disk that is worn out (also if it is not set).
+//   lasting      with all later calls of its name, as where no fsync or no rename is possible.
+//   quota        with all later calls that need room on the disk, by EDQUOT.
+//   interrupted  by a signal (EINTR).
+// Where a call of its name cannot fail so, it does not, and the file has 0.
 #include <dirent.h>
 #include <dlfcn.h>
 #include <errno.h>
@@ -41,10 +46,53 @@ struct Which {
 };
 const Which which;
 
+// Calls that need room on the disk, and calls that a signal can end.
+constexpr const char* growing[]{"write", "writev", "pwrite64", "mkdir", "mkdtemp"};
+constexpr const char* interruptible[]{"open",     "open64", "openat",    "fopen64", "fcntl",
+                                      "fcntl64",  "read",   "pread64",   "write",   "writev",
+                                      "pwrite64", "fsync",  "fdatasync", "close",   "ftruncate64"};
+
+template <std::size_t count>
+bool is_in(const char* const (&names)[count], const char* name) {
+  for (const char* const each : names)
+    if (strcmp(each, name) == 0) return true;
+  return false;
+}
+
+bool is(const char* how) { return getenv("IKBENCH_HOW") != nullptr && strcmp(getenv("IKBENCH_HOW"), how) == 0; }
+
+bool can_fail(const char* call) {
+  if (is("quota")) return is_in(growing, call);
+  return !is("interrupted") || is_in(interruptible, call);
+}
+
+// Returns whether a call fails after that which failed first.
+bool fails_again(const char* call, const char* first) {
+  if (is("quota")) return is_in(growing, call);
+  return is("lasting") && strcmp(first, call) == 0;
+}
+
+int error_number() {
+  if (is("quota")) return EDQUOT;
+  return is("interrupted") ? EINTR : EIO;
+}
+
+// Returns whether the call fails, and sets errno if it does.
 bool fails(const char* call) {
-  if (++calls != which.number) return false;
-  tell(call);
-  errno = EIO;
+  static std::atomic<const char*> first{nullptr};
+  const long number = ++calls;
+  if (first != nullptr) {
+    if (!fails_again(call, first)) return false;
+  } else {
+    if (number != which.number) return false;
+    if (!can_fail(call)) {
+      tell("0");
+      return false;
+    }
+    tell(call);
+    first = call;
+  }
+  errno = error_number();
   return true;
 }
 
@@ -92,4 +140,4 @@ CALL(int, rmdir, -1, (const char* folder), folder)
 CALL(int, mkdir, -1, (const char* folder, mode_t mode), folder, mode)
 CALL(char*, mkdtemp, nullptr, (char* folder), folder)
 // It is closed all the same, as on Linux.
-CALL(int, close, (static_cast<void>(next(file)), errno = EIO, -1), (int file), file)
+CALL(int, close, (static_cast<void>(next(file)), errno = error_number(), -1), (int file), file)

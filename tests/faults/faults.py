@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Each call for a file fails once: the command ends well, or in one sentence, which speaks of no damage, and the same
-command then makes the same.
+"""Each call for a file fails: once, with all later calls of its name, for want of room (a quota), or by a signal. The command
+then ends well, or in one sentence, which speaks of no damage. A store that was there keeps its rows. The same command, given
+again, makes the same as without a fault.
 
   faults.py PROGRAM FAILING_CALL                     a drawn sample of the calls, as ./check does
   IKBENCH_ALL=yes faults.py PROGRAM FAILING_CALL     each of them, as ./check --all does
@@ -47,9 +48,11 @@ def fingerprint(store):
     return made(["export", store, "--format", "fingerprint"])
 
 
-# What a command makes in a folder, which its second word stands for.
+HOWS = ("once", "lasting", "quota", "interrupted")  # failing_call.cpp says what they mean
+# What a command makes in a folder OUT, in which the case "go on" finds the store of the first shard.
 CASES = {
     "run": (["run", "few.toml", "--figures", "none", "--out", "OUT"], lambda out, said: fingerprint(out / "store.sqlite")),
+    "go on": (["run", "few.toml", "--figures", "none", "--out", "OUT"], lambda out, said: fingerprint(out / "store.sqlite")),
     "merge": (["merge", "OUT", "shards"], lambda out, said: fingerprint(out / "store.sqlite")),
     "report": (["report", "whole/store.sqlite", "--figures", "none", "--out", "OUT"],
                lambda out, said: [(out / name).read_text() for name in ("report.md", "solves.csv")]),
@@ -59,27 +62,50 @@ CASES = {
 }
 
 
-def fault(case, number, right):
-    """None where the call was not reached, else what is wrong, which may be nothing. A name that cannot be looked at is
-    one that is not there, a mistake; and SQLite forgets why it could not open a file."""
+def begin(case, out):
+    if case == "go on":
+        shutil.copytree(work / "shards/1", out)
+
+
+def rows(store):
+    """The solves of a store, with their times, which no second solve repeats."""
+    return set(made(["export", store]).splitlines())
+
+
+def is_told(result, call):
+    """Whether the command ended as a fault of the disk should: with exit code 2 and one sentence, which speaks of no damage.
+    A name that cannot be looked at is one that is not there, a mistake; SQLite forgets why it could not open a file; and
+    where a write cannot be undone, the next reader says so, as after a kill."""
+    sentence = " ".join(result.stderr.split())
+    may_be_mistake = call in ("stat", "open64") or "half-written" in sentence
+    if result.returncode != 2 and not (result.returncode == 1 and may_be_mistake):
+        return False
+    return sentence.count("ikbench: ") + sentence.count("left out: ") == 1 and not re.search("damaged|internal", sentence)
+
+
+def fault(case, how, number, right):
+    """None where the call was not reached or cannot fail so, else what is wrong, which may be nothing."""
     words, what_of = CASES[case]
-    out, log = work / f"{case}-{number}", work / f"{case}-{number}.call"
+    out, log = work / f"{case}-{how}-{number}", work / f"{case}-{how}-{number}.call"
     words = [out if word == "OUT" else word for word in words]
-    result = called(words, LD_PRELOAD=failing_call, IKBENCH_FAILS=str(number), IKBENCH_CALLS=str(log))
+    begin(case, out)
+    begun = rows(out / "store.sqlite") if out.exists() else set()
+    result = called(words, LD_PRELOAD=failing_call, IKBENCH_FAILS=str(number), IKBENCH_HOW=how, IKBENCH_CALLS=str(log))
     call = log.read_text()
-    if call.isdigit():
-        return None
-    place = f"{case}: call {number}, {call}, fails"
+    place = f"{case}: call {number}, {call}, fails ({how})"
     sentence = " ".join(result.stderr.split())
     try:
+        if call.isdigit():
+            return None
         if result.returncode == 0:
             if what_of(out, result.stdout) != right:
                 return f"{place}: exit code 0, and something else is made"
-        elif result.returncode != 2 and call not in ("stat", "open64") or result.returncode not in (1, 2) or \
-                sentence.count("ikbench: ") + sentence.count("left out: ") != 1 or re.search("damaged|internal", sentence):
+        elif not is_told(result, call):
             return f"{place}: exit code {result.returncode}: {sentence}"
         elif what_of(out, made(words)) != right:
             return f"{place}, {sentence}: the same command then makes something else"
+        if begun and not begun <= rows(out / "store.sqlite"):
+            return f"{place}: rows are lost"
     except Exception as error:
         return f"{place}: {error} (code {result.returncode}: {sentence})"
     finally:
@@ -97,12 +123,13 @@ def main():
     jobs, right = [], {}
     for case, (words, what_of) in CASES.items():
         out = work / "right"
+        begin(case, out)
         said = called([out if word == "OUT" else word for word in words], LD_PRELOAD=failing_call, IKBENCH_FAILS="0",
                       IKBENCH_CALLS=str(work / "calls"))
         assert said.returncode == 0, said.stderr
         right[case] = what_of(out, said.stdout)
         shutil.rmtree(out, ignore_errors=True)
-        jobs += [(case, number) for number in range(1, int((work / "calls").read_text()) + 1)]
+        jobs += [(case, how, number) for how in HOWS for number in range(1, int((work / "calls").read_text()) + 1)]
     seed = int(os.environ.get("IKBENCH_FAULTS_SEED", time.time_ns() % 10**9))
     random.Random(seed).shuffle(jobs)
     end = time.monotonic() + seconds
@@ -113,7 +140,7 @@ def main():
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         found = [each for each in pool.map(tried, jobs) if each is not None]
     wrong = [each for each in found if each]
-    print(f"{len(found)} of {len(jobs)} calls failed once, IKBENCH_FAULTS_SEED={seed}: {len(wrong)} faults")
+    print(f"{len(found)} of {len(jobs)} calls failed, IKBENCH_FAULTS_SEED={seed}: {len(wrong)} faults")
     print("\n".join(sorted(wrong)))
     return 1 if wrong or not found else 0
 
