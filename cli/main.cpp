@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cfenv>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -123,6 +124,7 @@ std::string error_text(const std::exception& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::fesetenv(FE_DFL_ENV);  // a library that is compiled with -ffast-math flushes subnormal numbers when it is loaded
   CLI::App app("Runs inverse-kinematics solvers on studies, stores every solve and shows what the numbers mean.",
                "ikbench");
   app.formatter(std::make_shared<Help>());
