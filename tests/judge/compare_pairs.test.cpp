@@ -156,6 +156,35 @@ TEST_CASE("all values equal are the same from 73, 109, 164 observations on for 1
   }
 }
 
+TEST_CASE("of two sizes the smaller decides whether equal values are the same", "[compare]") {
+  for (const auto& [scale, value] : {std::pair(EffectScale::ratio, 3.0), std::pair(EffectScale::share, 1.0)}) {
+    for (const std::size_t n : {72u, 73u}) {
+      for (const bool is_first : {false, true}) {
+        Lists groups{std::vector<double>(n, value), std::vector<double>(400, value)};
+        if (!is_first) std::swap(groups[0], groups[1]);
+        CAPTURE(n, is_first, value);
+        CHECK(only(compared(groups_of(groups, scale), by_ranks)).verdict ==
+              (n == 73 ? Verdict::equivalent : Verdict::inconclusive));
+      }
+    }
+  }
+}
+
+TEST_CASE("of several reasons against a test the first of the enum is told, whichever group has it", "[compare]") {
+  const Group infinite{.name = "A", .sample = Sample{{1, 2, 3, std::numeric_limits<double>::infinity(), 5}}};
+  for (const auto& [excluded, told] : {std::pair(ExclusionReason::missing_values, NotTestedReason::missing_values),
+                                       std::pair(ExclusionReason::not_comparable, NotTestedReason::infinite_values)}) {
+    const Group without{.name = "B", .sample = ExcludedSample{.reason = excluded, .values = {1, 2, 3, 4, 5}}};
+    MetricSamples of = groups_of({}, EffectScale::difference);
+    for (const auto& groups : {std::vector{infinite, without}, std::vector{without, infinite}}) {
+      of.groups = groups;
+      const std::vector<Comparison> comparisons = compare_pairs(of, by_means, 1);
+      REQUIRE(comparisons.size() == 1);
+      CHECK(std::get<NotTested>(comparisons.front().result).reason == told);
+    }
+  }
+}
+
 TEST_CASE("an interval without width stands only beside what it decides", "[compare]") {
   for (const std::size_t n : {40u, 80u}) {
     Lists lists(2, std::vector<double>(n, 2.0));

@@ -230,6 +230,12 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   };
   CHECK(apart(times(slowed(5, 2, 1.09))).empty());
   CHECK(apart(times(slowed(5, 2, 1.11))) == "B");
+  for (const int slow : {2, 3}) {  // of 20 points of a session: more than a tenth, and more than one
+    const StudyResults of = study({.runs = 5, .points = 20}, [=](SolveRecord& solve) {
+      if (solve.label == "B" && solve.run <= 2 && solve.point <= slow) solve.seconds = 2 * solve.cpu_seconds;
+    });
+    CHECK(apart(times(of)) == (slow == 3 ? "B" : ""));
+  }
   const MetricSamples four_left = times(slowed(6, 2, 2));
   CHECK(apart(four_left).empty());
   CHECK(list_of(group(four_left, "A")).size() == 6);
@@ -246,6 +252,13 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   CHECK(apart(samples_of(disturbed)).empty());
   disturbed.definition.stop.seconds = 0.002;  // it ended B's
   CHECK(apart(samples_of(disturbed)) == "B");
+  for (const int slow : {2, 3}) {  // of 20 solves
+    StudyResults of = study({.runs = 5}, [=](SolveRecord& solve) {
+      if (solve.label == "B" && solve.point == 1 && solve.run <= slow) solve.seconds = 2 * solve.cpu_seconds;
+    });
+    of.definition.stop.seconds = 0.002;
+    CHECK(apart(samples_of(of)) == (slow == 3 ? "B" : ""));
+  }
   const auto other_sessions = [](SolveRecord& solve) { solve.session += solve.label == "B" ? 10 : 0; };
   std::vector<Session> ten = sample_sessions(5);
   for (Session session : sample_sessions(5)) session.id += 10, ten.push_back(session);
@@ -546,6 +559,16 @@ TEST_CASE("Budgets differ where equal iterations are half as many evaluations ag
   CHECK(evaluated(1.6, R"({"iterations": 9, "evaluations": 300})"));
   CHECK_FALSE(evaluated(3, R"({"iterations": 9})", StopReason::tolerance));
   CHECK_FALSE(evaluated(3, R"({"iterations": 9, "seconds": 1})"));
+  // A limit that ends fewer than a tenth of 20 solves is none.
+  const auto ended_by_limit = [](int most) {
+    int ended = 0;
+    return study({.rest = R"(, "stop": {"iterations": 9})"}, [=](SolveRecord& solve) mutable {
+      if (solve.label == "A") solve.evaluations = 300;
+      if (solve.label == "B" && ++ended <= most) solve.stop_reason = StopReason::iterations;
+    });
+  };
+  for (int most = 0; most <= 4; ++most)
+    CHECK(warning_of(ended_by_limit(most), WarningKind::budgets_differ).has_value() == (most >= 2));
 }
 
 TEST_CASE("A number of the study's check has no name of a metric, in whatever letters") {
