@@ -87,6 +87,10 @@ TEST_CASE("improvements go from evaluation 1 to the last, and are those of the t
   CHECK(std::is_sorted(at.begin(), at.end()));
   CHECK(at.back() == solution.evaluations);
   CHECK(solved({.iterations = 40}).improved.at.empty());
+  // The last improvement is that of the last evaluation, and stands there once.
+  const Solution reached = solved({.iterations = 1000, .tolerance = 0.01}, Trace::best_error);
+  CHECK(reached.improved.at.back() == reached.evaluations);
+  CHECK(std::ranges::adjacent_find(reached.improved.at, std::ranges::greater_equal()) == reached.improved.at.end());
 }
 
 TEST_CASE("planned are the iterations that the evaluations allow, if each has a whole population", "[solve]") {

@@ -169,6 +169,31 @@ TEST_CASE("MO-PSO's leaders are the non-dominated and least crowded of all it ha
   CHECK(crowded > 0);
 }
 
+TEST_CASE("MO-PSO's archive of one has the smallest error: both ends are as little crowded, and the first stays",
+          "[mo_pso]") {
+  const Task task = iiwa_task(40);
+  const Settings settings{{"inertia", 0.0},  {"cognitive", 0.0}, {"social", 1.0},
+                          {"mutation", 0.0}, {"archive", 1.0},   {"leader", "per_particle"}};
+  RecordingObjective objective(task.chain, task.target);
+  Random random{Key(6)}, replay{Key(6)};
+  const auto swarm = solver("multi_objective_swarm").make(settings);
+  Problem problem = task.problem;
+  problem.iterations = 1;
+  swarm->start(problem, objective, random);
+  const std::vector<Point> seen = seen_points(objective, task.problem.start);
+  REQUIRE(reference_archive(seen, 40).size() > 1);
+  const Point best = *std::ranges::min_element(seen, {}, &Point::error);
+  swarm->step(objective, random);
+  drawn_uniforms(replay, 4, 40);  // the first places
+  drawn_uniforms(replay, 4, 40);
+  const Candidates u2 = drawn_uniforms(replay, 4, 40);
+  for (std::size_t i = 0; i < 40; ++i) {
+    const Eigen::VectorXd& from = objective.candidates[i];
+    const Eigen::VectorXd led = from + u2.col(static_cast<Eigen::Index>(i)).cwiseProduct(best.q - from);
+    REQUIRE((led - objective.candidates[40 + i]).norm() < 1e-14);
+  }
+}
+
 TEST_CASE("MO-PSO's roulette gives each occupied cell 10 / (its members), whoever stands in it", "[mo_pso]") {
   const int particles = 1000;
   const Task task = iiwa_task(particles);
