@@ -182,6 +182,7 @@ WrittenReport publish(Publication publication, const fs::path& folder, const fig
   std::erase_if(tables, [](const Table* table) { return table->name.empty(); });
   std::vector<figures::Figure> figures;
   std::vector<std::string> names;
+  names.reserve(tables.size());
   for (const Table* table : tables) names.push_back(table->name);
   for (const figures::Figure* figure : all_in<figures::Figure>(sections)) figures.push_back(*figure);
   WrittenReport written{.page = folder / own_files[0]};
