@@ -242,6 +242,7 @@ void SolveRunner::count_rerun(Solver& solver, const SolveRequest& call, const Ti
   if ((call.run + call.point) % one_in != 0) return;
   const TimedSolve again = solve_timed(solver, call);
   const bool has_failed = again.report && again.report->failure;
+  if (has_failed) static_cast<ExternalSolver&>(solver).excuse_failure();
   if (!ended_itself(again) || has_failed) return;
   ++rerun_count_;
   if (!same_bits(again.answer, made.answer)) ++rerun_differences_;

@@ -197,8 +197,18 @@ void ExternalSolver::count_failure() {
       worker_.given_up = failure_;
     }
   }
-  if (failure_) worker_.last_failure = fmt::format("{}: {}", name_of(status_of(failure_->kind)), failure_->why);
+  note_failure();
   if (!report_.failure) worker_.failures_in_a_row = 0;
+}
+
+void ExternalSolver::excuse_failure() {
+  note_failure();
+  failure_.reset();
+  report_.failure.reset();
+}
+
+void ExternalSolver::note_failure() {
+  if (failure_) worker_.last_failure = fmt::format("{}: {}", name_of(status_of(failure_->kind)), failure_->why);
 }
 
 Clock::time_point ExternalSolver::deadline(double problems) const {

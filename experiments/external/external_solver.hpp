@@ -126,6 +126,9 @@ class ExternalSolver final : public solvers::Searcher {
   // Counts the failure of the last solve, or ends the row of failures if the solve had none. Call it after each solve
   // that counts. The worker keeps the failure as `last_failure`; the third in a row gives the program up.
   void count_failure();
+  // Keeps the failure of the last solve as the worker's `last_failure`, but does not count it. Call it after a solve
+  // that repeats one with an answer.
+  void excuse_failure();
 
  private:
   struct Exchange;
@@ -135,6 +138,7 @@ class ExternalSolver final : public solvers::Searcher {
   void with_failure_handling(Talk&& talk);  // a ProcessFailure becomes the report's failure
   bool ensure_running();                    // true if the process is new
   void record_failure(const ProcessFailure& failure);
+  void note_failure();  // the worker keeps it
   Clock::time_point deadline(double problems) const;
 
   void exchange_solve(const solvers::Problem& problem, solvers::Objective& objective, std::uint32_t seed);

@@ -20,7 +20,7 @@ void give_way() {
 
 }  // namespace
 
-TEST_CASE("the clock of a program's solve runs before the program does", "[foreign]") {
+TEST_CASE("the clock of a program's solve runs before the program does", "[external]") {
   const Study study = load_study("tests/data/busy/busy.toml");
   std::vector<results::SolveRecord> solves;
   // As soon as the program can read its message, it has the processor, and we do not.
@@ -49,7 +49,32 @@ TEST_CASE("a program's own time is believed if its processor time leaves room fo
   CHECK(!believed(std::nan(""), 0.01));  // it reports nothing
 }
 
-TEST_CASE("one solve of an entry with batches is a batch of one, with the same answer", "[foreign]") {
+TEST_CASE("a repetition that fails gives up no program, since the solve before it has an answer", "[external]") {
+  const ScratchFolder folder;
+  write_text(folder.path / "study.toml",
+             fmt::format("robot = \"kuka_iiwa14\"\nsearch = \"all_joints\"\nstart = \"middle\"\npath.kind = \"helix\"\n"
+                         "[[solvers]]\nprocess = [\"python3\", \"{}\", \"falls again\"]\n",
+                         std::filesystem::absolute("tests/cli/programs/faulty.py").string()));
+  const Study study = load_study((folder.path / "study.toml").string());
+  const Robot arm = robot(study.robot);
+  const SolveRunner runner(study, study.solvers.front(), "key", arm, 1);
+  const auto solver = runner.make_solver();
+  const Pose target = targets_of_run(study, 1).front();
+  std::vector<Status> statuses;
+  for (int point = 7; point <= 10; ++point) {  // the ninth of the first run is repeated
+    statuses.push_back(
+        runner
+            .solve(*solver, {.target = target, .start = starts_of_run(study, arm, 1).front(), .run = 1, .point = point})
+            .status);
+    runner.count_failure(*solver);
+  }
+  CHECK(statuses[0] == Status::crashed);
+  CHECK(statuses[1] == Status::crashed);
+  CHECK(is_sound(statuses[2]));
+  CHECK(is_sound(statuses[3]));
+}
+
+TEST_CASE("one solve of an entry with batches is a batch of one, with the same answer", "[external]") {
   const ScratchFolder folder;
   const auto solved = [&](const std::string& batch) {
     write_text(
@@ -68,7 +93,7 @@ TEST_CASE("one solve of an entry with batches is a batch of one, with the same a
   CHECK(of_batch.batch_size == 1);
 }
 
-TEST_CASE("a warm study says so to a program, and only one answer says that it is of a second solve", "[foreign]") {
+TEST_CASE("a warm study says so to a program, and only one answer says that it is of a second solve", "[external]") {
   const Robot arm = robot("kuka_iiwa14");
   const Configuration start = Configuration::Constant(7, 0.2);
   const Problem problem{.start = start, .lower = arm.limits.lower, .upper = arm.limits.upper, .population = 20};
@@ -83,7 +108,7 @@ TEST_CASE("a warm study says so to a program, and only one answer says that it i
   CHECK_FALSE(answer("").differs_from_first());
 }
 
-TEST_CASE("candidates are numbers as JSON writes them", "[foreign]") {
+TEST_CASE("candidates are numbers as JSON writes them", "[external]") {
   const auto is_read = [](const std::string& number) {
     try {
       return Message(R"({"message":"evaluate","candidates":[[1,2],[3,)" + number + "]]}").candidates(2).size() == 4;
@@ -98,7 +123,7 @@ TEST_CASE("candidates are numbers as JSON writes them", "[foreign]") {
     CHECK_FALSE(is_read(number));
 }
 
-TEST_CASE("an extra's name is no refused answer's, and not blank", "[foreign]") {
+TEST_CASE("an extra's name is no refused answer's, and not blank", "[external]") {
   const auto read = [](const std::string& name) {
     return Message(R"({"message":"solved","extras":{")" + name + "\":3}}").extras();
   };
@@ -106,7 +131,7 @@ TEST_CASE("an extra's name is no refused answer's, and not blank", "[foreign]") 
   for (const char* name : {"", " ", "refused_1", "a\\u001b"}) CHECK_THROWS_AS(read(name), ProcessFailure);
 }
 
-TEST_CASE("every arm follows from its robot message alone, by the formulas of protocol.md", "[foreign][protocol]") {
+TEST_CASE("every arm follows from its robot message alone, by the formulas of protocol.md", "[external][protocol]") {
   std::vector<Robot> arms = all_robots();
   arms.push_back(load_robot("tests/data/urdf/ur5_calibrated.urdf"));  // whose axes are almost parallel
   for (const Robot& arm : arms) {

@@ -13,6 +13,14 @@ def once(fault):
     open(fault + " once", "w").close()
     return True
 
+def falls_again(seed):
+    """Whether this problem is one of the first two, or has been asked before."""
+    with open("seeds", "a+") as file:
+        file.seek(0)
+        seen = file.read().split()
+        print(seed, file=file)
+    return len(seen) < 2 or str(seed) in seen
+
 def stop_parent(*, answers):
     os.kill(os.getppid(), signal.SIGSTOP)
     if not answers: time.sleep(1000)
@@ -100,6 +108,7 @@ for line in sys.stdin:
             open("died", "w").close()
             print("no more", file=sys.stderr)
             os._exit(3)
+        if FAULT == "falls again" and told["seed"] > 2 and falls_again(told["seed"]): os._exit(3)
         if FAULT == "noise": print("Iteration 1 of 200\nnull", flush=True)
         if FAULT == "deep" and solves == 10: print('{"message":"solved","q":%s}' % ("[" * 400000 + "]" * 400000), flush=True)
         elif FAULT == "declines": say(message="declined", why="not today")
