@@ -67,7 +67,7 @@ double seconds_since(Clock::time_point began) { return std::chrono::duration<dou
 // ProcessFailure if more is reported than the `passed` seconds allow.
 double reported_seconds_in(const Message& message, double passed) {
   const double seconds = message.number("seconds");
-  if (seconds < 0 || seconds > 1.1 * passed + 0.02)  // clocks differ, and some tick only every 20 ms
+  if (seconds < 0 || seconds > largest_possible_seconds(passed))
     message.fail(fmt::format("\"seconds\" from 0 to {:.2g}, which passed", passed));
   return seconds == 0 ? std::nan("") : seconds;
 }

@@ -94,11 +94,16 @@ class ProcessPool {
   std::vector<WorkerProcess> idle_;
 };
 
+// Returns the largest time [s] that a program can report where `passed` seconds went by, since clocks differ by a tenth
+// and some tick only every 20 ms.
+constexpr double largest_possible_seconds(double passed) { return 1.1 * passed + 0.02; }
+
 // Returns the answer inside the limits that is nearest to the start, or the first answer if none is inside. Each answer
 // is measured as the policy will leave it, so that whole turns of an answer choose no other branch. `answers` must have
 // at least one column, and `chain` is of its joints.
 robots::Configuration nearest_answer(const robots::Candidates& answers, const solvers::Problem& problem,
                                      const robots::Chain& chain, results::WrapPolicy policy);
+
 // The answers to one target that are kept in the store; further ones are lost.
 constexpr Eigen::Index max_kept_answers = 1000;
 

@@ -49,6 +49,31 @@ TEST_CASE("a program's own time is believed if its processor time leaves room fo
   CHECK(!believed(std::nan(""), 0.01));  // it reports nothing
 }
 
+TEST_CASE("a program can report a tenth and 20 ms more than passed, and no more", "[external]") {
+  CHECK(largest_possible_seconds(1) > 1.11);
+  CHECK(largest_possible_seconds(1) < 1.13);  // so that 1.3 of a second is refused
+  CHECK(largest_possible_seconds(0.001) > 0.02);
+  CHECK(largest_possible_seconds(0.001) < 0.022);
+}
+
+TEST_CASE("an answer over the budget is that, whether it is within the tolerance or just beyond it", "[external]") {
+  const ScratchFolder folder;
+  const auto status = [&](const char* fault, double tolerance_cm) {
+    write_text(
+        folder.path / "study.toml",
+        fmt::format("robot = \"kuka_iiwa14\"\nsearch = \"all_joints\"\nstart = \"middle\"\npath.kind = \"helix\"\n"
+                    "stop = {{ iterations = 50, evaluations = 100, tolerance_cm = {} }}\n"
+                    "[[solvers]]\nprocess = [\"python3\", \"{}\", \"{}\"]\n",
+                    tolerance_cm, std::filesystem::absolute("tests/cli/programs/faulty.py").string(), fault));
+    const Study study = load_study((folder.path / "study.toml").string());
+    return solve_once(study, study.solvers.front(), targets_of_run(study, 1).front()).status;
+  };
+  CHECK(status("fine", 1000) == Status::ok);
+  CHECK(status("fine", 1e-12) == Status::tolerance_missed);
+  CHECK(status("spends", 1000) == Status::over_budget);  // it says that it made 1000 evaluations
+  CHECK(status("spends", 1e-12) == Status::over_budget);
+}
+
 TEST_CASE("a repetition that fails gives up no program, since the solve before it has an answer", "[external]") {
   const ScratchFolder folder;
   write_text(folder.path / "study.toml",
