@@ -1,7 +1,20 @@
+#include <boost/math/distributions/normal.hpp>
+
 #include "analysis/judge/statistics/omnibus.hpp"
 #include "tests/judge/studies.hpp"
 
 namespace {
+
+// Returns the probability that `k` standard normal numbers lie within `range` of each other: k times the integral, over
+// the smallest number x, of phi(x) (Phi(x + range) - Phi(x))^(k - 1).
+double range_probability(std::size_t k, double range) {
+  const boost::math::normal normal;
+  const double step = 0.01;
+  double sum = 0;
+  for (double x = -9; x < 9; x += step)
+    sum += pdf(normal, x) * std::pow(cdf(normal, x + range) - cdf(normal, x), static_cast<double>(k) - 1);
+  return static_cast<double>(k) * sum * step;
+}
 
 MetricSamples samples_of(std::vector<std::vector<double>> groups) {
   MetricSamples of{.metric = "x", .quantity = "x"};
@@ -62,6 +75,9 @@ TEST_CASE("critical differences of mean ranks are those of Demsar's tables", "[d
   for (const auto& [groups, q] : {std::pair(2, 1.960), {3, 2.343}, {5, 2.728}, {10, 3.164}, {20, 3.544}})
     CHECK(critical_difference(static_cast<std::size_t>(groups), static_cast<std::size_t>(groups * (groups + 1))) ==
           Approx(q / std::sqrt(6)).epsilon(0.0006));  // of 20 SciPy's studentized_range
+  // With k (k + 1) blocks, the critical difference is the quantile of the studentized range, divided by the root of 12.
+  for (std::size_t k = 2; k <= 20; ++k)
+    CHECK(range_probability(k, critical_difference(k, k * (k + 1)) * std::sqrt(12)) == Approx(0.95).margin(1e-4));
   CHECK(std::isnan(critical_difference(1, 9)));
   CHECK(std::isnan(critical_difference(21, 9)));
 }
@@ -153,6 +169,13 @@ TEST_CASE("tests of all have the numbers of R, also in blocks", "[describe]") {
   }
   orchard.groups.resize(2);
   CHECK(anova(orchard).size() == 1);  // one difference has one spread
+}
+
+TEST_CASE("two values in each group are enough for Welch's F", "[describe]") {
+  const std::vector<OmnibusTest> tests = anova(samples_of({{1, 3}, {4, 8}, {7, 8}}));
+  REQUIRE(tests.size() == 2);
+  CHECK(tests[1].statistic == Approx(509.0 / 59));  // by hand, in fractions
+  CHECK(tests[1].df_within == Approx(28.0 / 17));
 }
 
 TEST_CASE("without spread in a group Welch's F is not defined", "[describe]") {
