@@ -61,6 +61,22 @@ TEST_CASE("damped least squares starts at the limits where the arm is outside th
   CHECK(objective.candidates.front() == Eigen::Vector2d(1, -0.2));
 }
 
+TEST_CASE("damped least squares begins again where its shrinking steps would end outside the limits", "[dls]") {
+  Task task = planar_task(1);
+  task.target = task.chain.position(Eigen::Vector2d(1.2, -1.8));
+  RecordingObjective objective(task.chain, task.target);
+  Random random{Key(1)};
+  const auto descent = solver("damped_least_squares").make({{"bounds", "free"}});
+  descent->start(task.problem, objective, random);
+  double error_before_restart = 0;
+  for (int trial = 0; trial < 20 && descent->restarts() == 0; ++trial) {
+    error_before_restart = objective.given.back();
+    descent->step(objective, random);
+  }
+  CHECK(descent->restarts() == 1);
+  CHECK(error_before_restart > 1e-4);  // it did not go on until the target was reached
+}
+
 TEST_CASE("a damped step gives a bound of the eigenvalues, and none where it may have lost its digits", "[dls]") {
   Random random{Key(1)};
   int bounded = 0;

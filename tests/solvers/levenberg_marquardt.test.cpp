@@ -59,6 +59,23 @@ TEST_CASE("a search of Levenberg and Marquardt's method begins again where no jo
   }
 }
 
+TEST_CASE("a search of Levenberg and Marquardt's method begins again where it is at the target, outside the limits",
+          "[lm]") {
+  for (const auto& [error, restarts] : {std::pair(0.01, 1), {0.011, 0}}) {
+    Task task = planar_task(1);
+    task.problem.stop.tolerance = 0.01;
+    RecordingObjective objective(task.chain, std::vector<double>{0.5, error});
+    Random random{Key(1)};
+    const auto descent =
+        solver("levenberg_marquardt").make({{"rule", "wampler"}, {"damping", 0.01}, {"bounds", "free"}});
+    descent->start(task.problem, objective, random);
+    descent->step(objective, random);
+    REQUIRE((objective.candidates.back().array().abs() > 1).any());
+    descent->step(objective, random);
+    CHECK(descent->restarts() == restarts);
+  }
+}
+
 TEST_CASE("a search of Levenberg and Marquardt's method begins again after steps without a smaller residual", "[lm]") {
   Task task = planar_task(1);
   task.target = {2, 0, 0};  // out of reach, so that steps overshoot
