@@ -144,9 +144,8 @@ std::string estimate_unit(const Comparison& comparison, const JudgedMetric& judg
 std::string dominance_text(const Comparison& comparison) {
   const auto* const tested = std::get_if<TestResult>(&comparison.result);
   if (!tested || !tested->dominance || !is_difference(tested->verdict)) return "";
-  const auto& [ahead, behind] = *tested->dominance;
-  return fmt::format("better in {} % and worse in {} % of value pairs", number_text(100 * ahead),
-                     number_text(100 * behind));
+  return fmt::format("better in {} % and worse in {} % of value pairs", number_text(100 * tested->dominance->better),
+                     number_text(100 * tested->dominance->worse));
 }
 
 std::set<double> null_and_margin(const Comparison& comparison, const JudgedMetric& judged) {

@@ -295,11 +295,12 @@ std::vector<std::string> page_notes(const ReportModel& model, const CellKinds& k
 
 // Returns the table of pairs without rows; pair_row makes them.
 Table empty_pairs_table(const ReportModel& model) {
-  Table table{.name = "pairs",
-              .caption = "First solver against second",
-              .columns = named_columns({"metric", "first", "second", "estimate", "interval", "unit", "p", "verdict",
-                                        "A12", "share better", "share worse", "g", "g_av", "test", "n", "required n",
-                                        "within margin", "reason"})};
+  Table table{
+      .name = "pairs",
+      .caption = "First solver against second",
+      .columns = named_columns({"metric",  "first", "second",  "estimate",   "interval",      "unit",        "p",
+                                "verdict", "A12",   "A12 low", "A12 high",   "share better",  "share worse", "g",
+                                "g_av",    "test",  "n",       "required n", "within margin", "reason"})};
   std::set<double> ends;
   for (const JudgedMetric& judged : model.metrics)
     for (const Comparison& comparison : judged.comparisons) ends.merge(null_and_margin(comparison, judged));
@@ -354,6 +355,7 @@ std::vector<Cell> pair_row(const Comparison& comparison, const JudgedMetric& jud
   const auto* const tested = std::get_if<TestResult>(&comparison.result);
   const auto* const dominance = tested && tested->dominance ? &*tested->dominance : nullptr;
   const bool has_hedges_g = tested && tested->hedges_g;  // the effect size of means; A12 is that of ranks
+  const bool has_interval = dominance && !has_hedges_g && dominance->interval;
   const auto hedges_g_cell = [&](bool is_of_pairs) {
     return has_hedges_g && judged.samples.is_paired == is_of_pairs ? Cell(*tested->hedges_g) : Cell();
   };
@@ -366,6 +368,8 @@ std::vector<Cell> pair_row(const Comparison& comparison, const JudgedMetric& jud
           tested ? Cell(tested->adjusted_p) : Cell(),
           verdict_cell(comparison, judged),
           dominance && !has_hedges_g ? Cell(dominance->a12()) : Cell(),
+          has_interval ? Cell(dominance->interval->low) : Cell(),
+          has_interval ? Cell(dominance->interval->high) : Cell(),
           dominance ? Cell(dominance->better) : Cell(),
           dominance ? Cell(dominance->worse) : Cell(),
           hedges_g_cell(false),

@@ -585,6 +585,19 @@ std::string untruth_in(const Comparison& comparison, const JudgedMetric& judged,
   return low <= value && value <= high && is_out == is_difference(right.verdict) ? "" : amount;
 }
 
+// Whether the interval of A12 excludes 0.5 if and only if p decides, on the side of the verdict, and is mirrored if the
+// pair is.
+bool is_interval_of_a12(const judge::Comparison& comparison, const judge::Comparison& mirrored) {
+  using namespace judge;
+  const Interval of = *std::get<TestResult>(comparison.result).dominance->interval;
+  const Interval back = *std::get<TestResult>(mirrored.result).dominance->interval;
+  const bool is_mirrored = std::abs(of.low + back.high - 1) < 1e-12 && std::abs(of.high + back.low - 1) < 1e-12;
+  const bool is_above = of.low > 0.5 || (of.low == 0.5 && of.excludes_low);
+  const bool is_below = of.high < 0.5 || (of.high == 0.5 && of.excludes_high);
+  const Verdict verdict = verdict_of(comparison);
+  return is_mirrored && is_above == (verdict == Verdict::better) && is_below == (verdict == Verdict::worse);
+}
+
 }  // namespace ikbench::second
 
 TEST_CASE("drawn tables are judged as a second reference judges them", "[drawn][property]") {
@@ -646,9 +659,12 @@ TEST_CASE("drawn tables are judged as a second reference judges them", "[drawn][
                                  is_near(result.estimate.value_or(0), right.estimate.value_or(0)));
       check_pair("interval",
                  has_end == right.interval.has_value() && is_near(found.low, low) && is_near(found.high, high));
-      if (const auto* const tested = std::get_if<TestResult>(&comparison.result))
+      if (const auto* const tested = std::get_if<TestResult>(&comparison.result)) {
         check_pair("effect",
                    is_near(tested->dominance->better, right.ahead) && is_near(tested->dominance->worse, right.behind));
+        if (tested->dominance->interval)
+          check_pair("interval of A12", is_interval_of_a12(comparison, better_first(comparison, comparison.first)));
+      }
     }
   }
   for (const auto& [what, count] : compared)

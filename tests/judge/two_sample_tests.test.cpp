@@ -1,3 +1,6 @@
+#include <numbers>
+#include <random>
+
 #include "analysis/judge/statistics/pair_data.hpp"
 #include "tests/judge/studies.hpp"
 
@@ -149,6 +152,82 @@ TEST_CASE("Wilson's and Newcombe's intervals are those published", "[tests_of_tw
   check_interval(newcombe_interval({9 / 10.0, 10}, {3 / 10.0, 10}, 0.05), 0.1705, 0.8090, 5.1e-5);
   check_interval(newcombe_interval({5 / 56.0, 56}, {0, 29}, 0.05), -0.0381, 0.1926, 5.1e-5);
   check_interval(newcombe_interval({1, 10}, {0, 10}, 0.05), 0.6075, 1, 5.1e-5);
+}
+
+TEST_CASE("Clopper and Pearson's interval of a share counts ties half", "[tests_of_two]") {
+  check_interval(clopper_pearson_interval({0, 10}, 0.05), 0, 1 - std::pow(0.025, 0.1));
+  check_interval(clopper_pearson_interval({1, 10}, 0.05), std::pow(0.025, 0.1), 1);
+  check_interval(clopper_pearson_interval({0.5, 10}, 0.05), 0.1871, 0.8129, 5e-5);  // R, binom.test(5, 10)
+  check_interval(clopper_pearson_interval({0.05, 20}, 0.05), 0.00127, 0.24873, 5e-6);
+}
+
+TEST_CASE("the interval of A12 solves Newcombe's equation for separate samples, and mirrors", "[tests_of_two]") {
+  const Interval separate = a12_interval(upto(5, 10), upto(8), 0.05);
+  const double low = separate.low, pairs = 1 + 5.5 * ((1 - low) / (2 - low) + low / (1 + low));
+  CHECK(1 - low == Approx(1.959963984540054 * std::sqrt(low * (1 - low) * pairs / 40)));
+  CHECK(separate.high == 1);
+  const Interval first = a12_interval(may, august, 0.01), second = a12_interval(august, may, 0.01);
+  check_interval(first, 1 - second.high, 1 - second.low);
+  CHECK(second.low > 0.5);
+  check_interval(a12_interval(SomeValues(4, 1), SomeValues(9, 1), 0.05),
+                 1 - a12_interval(SomeValues(9, 1), SomeValues(4, 1), 0.05).high,
+                 a12_interval(SomeValues(4, 1), SomeValues(9, 1), 0.05).high);
+}
+
+TEST_CASE("a drawn interval of A12 has the true one in about 95 % of sets, or in more", "[tests_of_two]") {
+  std::mt19937_64 engine(1);
+  const auto normal = [&] {  // the same numbers on every machine
+    const auto uniform = [&] { return (static_cast<double>(engine() >> 11) + 0.5) * 0x1p-53; };
+    return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform());
+  };
+  struct Case {
+    double shift, spread;
+    bool has_ties;
+    double least;  // that the share of sets has to have
+  };
+  for (const Case& of : {Case{0, 1, false, 0.94},
+                         {1, 1, false, 0.94},
+                         {3, 1, false, 0.94},
+                         {0, 1, true, 0.94},
+                         {2, 1, true, 0.94},
+                         {1, 3, false, 0.91}}) {
+    const auto drawn = [&](double shift, double spread, std::size_t n) {
+      SomeValues values(n);
+      for (double& value : values) {
+        value = std::exp(shift + spread * normal());
+        if (of.has_ties) value = std::round(value);
+      }
+      return values;
+    };
+    const auto share_above = [](const SomeValues& first, SomeValues second) {
+      std::ranges::sort(second);
+      double above = 0;
+      for (const double value : first) {
+        const auto [low, high] = std::equal_range(second.begin(), second.end(), value);
+        above += static_cast<double>((low - second.begin()) + (high - second.begin())) / 2;
+      }
+      return above / static_cast<double>(first.size() * second.size());
+    };
+    const double truth = share_above(drawn(of.shift, of.spread, 100'000), drawn(0, 1, 100'000));
+    constexpr int sets = 1000;
+    for (const auto& [m, n] :
+         {std::pair<std::size_t, std::size_t>{5, 5}, {10, 10}, {20, 20}, {50, 50}, {5, 20}, {50, 10}}) {
+      int hits = 0, paired_hits = 0;
+      for (int i = 0; i < sets; ++i) {
+        const SomeValues first = drawn(of.shift, of.spread, m), second = drawn(0, 1, n);
+        const Interval interval = a12_interval(first, second, 0.05);
+        hits += interval.low <= truth && truth <= interval.high;
+        double share = 0;
+        for (std::size_t block = 0; block < std::min(m, n); ++block)
+          share += share_above({first[block]}, {second[block]}) / static_cast<double>(std::min(m, n));
+        const Interval paired = clopper_pearson_interval({share, static_cast<double>(std::min(m, n))}, 0.05);
+        paired_hits += paired.low <= truth && truth <= paired.high;
+      }
+      INFO(of.shift << ' ' << of.spread << ' ' << of.has_ties << ' ' << m << ' ' << n);
+      CHECK(hits >= of.least * sets);
+      CHECK(paired_hits >= 0.95 * sets);
+    }
+  }
 }
 
 TEST_CASE("Fisher's p sums the tables that are no more probable", "[tests_of_two]") {

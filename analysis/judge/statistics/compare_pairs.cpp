@@ -242,7 +242,17 @@ Trial trial_of(const MetricSamples& samples, const AnalysisPlan& plan, const Pai
   return trial;
 }
 
-std::optional<Dominance> dominance_of(const MetricSamples& samples, const Pair& pair, const PairData& numbers) {
+// Returns the interval of A12: of the share of blocks if the values are paired, otherwise of the share of pairs of
+// values.
+Interval a12_interval_of(const PairData& numbers, const Dominance& dominance, bool is_larger_better, double alpha) {
+  const auto n = static_cast<double>(numbers.differences.size());
+  if (n > 0) return clopper_pearson_interval({.share = dominance.a12(), .n = n}, alpha);
+  return is_larger_better ? a12_interval(numbers.first, numbers.second, alpha)
+                          : a12_interval(numbers.second, numbers.first, alpha);
+}
+
+std::optional<Dominance> dominance_of(const MetricSamples& samples, const Pair& pair, const PairData& numbers,
+                                      double alpha) {
   const bool has_differences = pair.method->is_by_difference;
   const std::vector<double>& first = has_differences ? numbers.differences : numbers.first;
   std::vector<double> second = has_differences ? std::vector{0.0} : numbers.second;
@@ -255,8 +265,26 @@ std::optional<Dominance> dominance_of(const MetricSamples& samples, const Pair& 
     smaller += static_cast<double>(second.end() - end);
   }
   const double pairs = static_cast<double>(first.size()) * static_cast<double>(second.size());
-  return samples.better == Better::larger ? Dominance{larger / pairs, smaller / pairs}
-                                          : Dominance{smaller / pairs, larger / pairs};
+  const bool is_larger_better = samples.better == Better::larger;
+  Dominance dominance{larger / pairs, smaller / pairs};
+  if (!is_larger_better) std::swap(dominance.better, dominance.worse);
+  if (!is_proportion(samples)) dominance.interval = a12_interval_of(numbers, dominance, is_larger_better, alpha);
+  return dominance;
+}
+
+// Makes the interval of A12 agree with the verdict: it ends at 0.5 if p decides, and otherwise includes 0.5. An
+// interval on the other side of 0.5 than the verdict is dropped.
+void settle_a12(Verdict verdict, std::optional<Interval>& interval) {
+  constexpr double alike = 0.5;
+  if (!interval) return;
+  if (!is_difference(verdict)) {
+    interval = {std::min(alike, interval->low), std::max(alike, interval->high)};
+  } else if (verdict == Verdict::better && interval->low <= alike) {
+    *interval = {.low = alike, .high = interval->high, .excludes_low = true};
+  } else if (verdict == Verdict::worse && interval->high >= alike) {
+    *interval = {.low = interval->low, .high = alike, .excludes_high = true};
+  }
+  if (interval->low >= interval->high) interval.reset();
 }
 
 DeterministicResult deterministic_result(const MetricSamples& samples, const AnalysisPlan& plan, const Pair& pair) {
@@ -380,7 +408,7 @@ Comparison judged_on_common(const MetricSamples& samples, const AnalysisPlan& pl
                        (trial.is_same || (takes_logs && samples.absolute_margin > 0 &&
                                           trial_of(samples, plan, pair, false, alpha).is_same));
   TestResult tested{.adjusted_p = pair.closed ? pair.closed->adjusted_p(outcome.p) : std::min(1.0, outcome.p * tests),
-                    .dominance = dominance_of(samples, pair, trial.numbers),
+                    .dominance = dominance_of(samples, pair, trial.numbers, alpha),
                     .test = pair.closed ? closed_tests_name : pair.method->name,
                     .n = pair.n};
   const bool is_decided = tested.adjusted_p < plan.significance;
@@ -405,6 +433,7 @@ Comparison judged_on_common(const MetricSamples& samples, const AnalysisPlan& pl
     if (!is_same) tested.required_n = required_n(pair, outcome, tested.adjusted_p, alpha);
   }
   if (comparison.estimate) comparison.estimate->interval = interval;
+  if (tested.dominance) settle_a12(tested.verdict, tested.dominance->interval);
   comparison.result = tested;
   return comparison;
 }
@@ -701,7 +730,12 @@ Comparison better_first(Comparison comparison, std::string_view control, bool is
     exact->verdict = reversed(exact->verdict);
   if (auto* const tested = std::get_if<TestResult>(&comparison.result)) {
     tested->verdict = reversed(tested->verdict);
-    if (tested->dominance) std::swap(tested->dominance->better, tested->dominance->worse);
+    if (auto& dominance = tested->dominance) {
+      std::swap(dominance->better, dominance->worse);
+      if (const auto interval = dominance->interval)
+        dominance->interval =
+            Interval{1 - interval->high, 1 - interval->low, interval->excludes_high, interval->excludes_low};
+    }
     if (tested->hedges_g) tested->hedges_g = -*tested->hedges_g;
   }
   return comparison;

@@ -42,6 +42,10 @@ struct EffectEstimate {
 // difference is Cliff's delta.
 struct Dominance {
   double better = 0, worse = 0;
+  // The interval of A12, which excludes 0.5 if and only if p decides; empty for shares of successes, whose difference
+  // has one.
+  std::optional<Interval> interval = {};
+
   // Returns A12, which counts equal values half (Vargha and Delaney, J. Educational and Behavioral Statistics 25 (2000)
   // 101).
   double a12() const { return (1 + better - worse) / 2; }

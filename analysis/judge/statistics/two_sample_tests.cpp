@@ -5,6 +5,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
+#include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -179,6 +180,21 @@ SummaryStatistics placements(Values own, Values others, double shift) {
   return {.n = static_cast<int>(own.size()), .mean = first + sum / n, .sd = sd};
 }
 
+// Returns the lower end of Newcombe's interval of a share of m n pairs.
+double newcombe_low(double share, double m, double n, double alpha) {
+  const double z = critical_z(alpha), others = (m + n) / 2 - 1;
+  const auto is_below = [&](double end) {
+    const double pairs = 1 + others * ((1 - end) / (2 - end) + end / (1 + end));
+    return share - end > z * std::sqrt(end * (1 - end) * pairs / (m * n));
+  };
+  double low = 0, high = share;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (is_below(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
 // Maps the bits of doubles to whole numbers in the same order, and back. Bisection of the whole numbers ends at a
 // double after at most 64 steps, whatever the sizes. Halving the values would stop beside the double, or would take a
 // thousand steps down to a tiny one.
@@ -321,6 +337,21 @@ UnadjustedTest rank_test(Values first, Values second, double alpha) {
   return outcome;
 }
 
+Interval a12_interval(Values first, Values second, double alpha) {
+  const std::vector<double> a = sorted(first), b = sorted(second);
+  const double m = number(a.size()), n = number(b.size());
+  const SummaryStatistics of_first = placements(a, b, 0), of_second = placements(b, a, 0);
+  const double a12 = of_first.mean / n;
+  Interval interval{newcombe_low(a12, m, n, alpha), 1 - newcombe_low(1 - a12, m, n, alpha)};
+  const double u = of_first.sd * of_first.sd / (n * n * m), v = of_second.sd * of_second.sd / (m * m * n);
+  if (!(u + v > 0)) return interval;  // separate samples, or values that are no numbers
+  const double t = bm::quantile(bm::complement(StudentsT(df_of(u, m, v, n)), alpha / 2));
+  const double odds = a12 / (1 - a12), reach = std::exp(t * std::sqrt(u + v) / (a12 * (1 - a12)));
+  interval.low = std::min(interval.low, odds / (odds + reach));
+  interval.high = std::max(interval.high, odds / (odds + 1 / reach));
+  return interval;
+}
+
 UnadjustedTest welch(const SummaryStatistics& first, const SummaryStatistics& second, double alpha, double worth) {
   const double m = first.n, n = second.n;
   const double u = first.sd * first.sd / m, v = second.sd * second.sd / n;
@@ -376,6 +407,12 @@ Interval wilson_interval(const Proportion& proportion, double alpha) {
   const double centre = (share + zz / 2) / (1 + zz);
   const double half = std::sqrt((share * (1 - share) + zz / 4) * zz) / (1 + zz);
   return {share == 0 ? 0 : centre - half, share == 1 ? 1 : centre + half};
+}
+
+Interval clopper_pearson_interval(const Proportion& proportion, double alpha) {
+  const double successes = proportion.share * proportion.n, failures = proportion.n - successes;
+  return {successes > 0 ? bm::ibeta_inv(successes, failures + 1, alpha / 2) : 0,
+          failures > 0 ? bm::ibeta_inv(successes + 1, failures, 1 - alpha / 2) : 1};
 }
 
 Interval newcombe_interval(const Proportion& first, const Proportion& second, double alpha, double correlation) {

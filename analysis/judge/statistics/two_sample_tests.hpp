@@ -69,6 +69,11 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 UnadjustedTest welch(const SummaryStatistics& first, const SummaryStatistics& second, double alpha,
                      double worth = unlimited);
 
+// Returns the interval of A12, the chance that a value of `first` is larger than one of `second`, with equal ones half:
+// from the lower to the higher end of Newcombe's (Statistics in Medicine 25 (2006) 559, method 5) and of the normal
+// interval of the logit with the variance of Brunner and Munzel (Biometrical J. 42 (2000) 17) and their Student's t.
+Interval a12_interval(Values first, Values second, double alpha);
+
 // Numbers, paired: by the differences first - second, which must not be empty.
 
 // Returns Wilcoxon's signed rank test (Biometrics 1 (1945) 80), exact to n = 1000. Differences of 0 have no rank. The
@@ -91,6 +96,9 @@ struct Proportion {
 
 // Returns Wilson's interval of a share (JASA 22 (1927) 209), which may be a mean of shares.
 Interval wilson_interval(const Proportion& proportion, double alpha);
+// Returns the interval of Clopper and Pearson of a share (Biometrika 26 (1934) 404), in which a tie counts as half a
+// success.
+Interval clopper_pearson_interval(const Proportion& proportion, double alpha);
 // Returns Newcombe's interval of first - second (Statistics in Medicine 17 (1998) 873, method 10; for correlated shares
 // 2635, method 10).
 Interval newcombe_interval(const Proportion& first, const Proportion& second, double alpha, double correlation = 0);
