@@ -6,69 +6,60 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <array>
+#include <regex>
 
 #include "analysis/show/hard_targets.hpp"
-#include "analysis/show/headline.hpp"
+#include "analysis/show/methods_paragraph.hpp"
 #include "analysis/show/page.hpp"
 #include "analysis/show/phrases.hpp"
 #include "analysis/show/publish.hpp"
+#include "analysis/show/result_tables.hpp"
+#include "analysis/show/results_paragraph.hpp"
 #include "analysis/show/text.hpp"
 #include "base/files.hpp"
-#include "base/names.hpp"
 
 namespace ikbench::show {
 
-using namespace judge;
-
 namespace {
 
-// Returns "DLS against PSO: better, A12 = 0.75, p = 0.0469".
-std::string pair_text(const Comparison& comparison, const JudgedMetric& judged) {
-  std::string text =
-      fmt::format("{} against {}: {}", comparison.first, comparison.second, comparison_text(comparison, judged));
-  const auto* const tested = std::get_if<TestResult>(&comparison.result);
-  if (!tested) return text;
-  if (tested->hedges_g)
-    text += fmt::format(", {} = {}", judged.samples.is_paired ? "g_av" : "g", number_text(*tested->hedges_g));
-  else if (tested->dominance && !is_success_rate(judged))
-    text += fmt::format(", A12 = {}", number_text(tested->dominance->a12()));
-  const std::string p = p_text(tested->adjusted_p, {judged.plan.significance});
-  return text + (p[0] == '<' ? ", p " : ", p = ") + p;
+// Returns sentences as LaTeX, in which the symbols of statistics are set as such.
+std::string latex_paragraph(const std::vector<std::string>& sentences) {
+  static const std::array<std::pair<std::regex, const char*>, 4> symbols{
+      {{std::regex(R"(\bp = ([0-9.]*[0-9]))"), "$$p = $1$$"},
+       {std::regex(R"(\bp \\textless\{\} ([0-9.]*[0-9]))"), "$$p < $1$$"},
+       {std::regex(R"(\bA12 (?==|is the share))"), "$$A_{12}$$ "},
+       {std::regex(R"(\bg\\_av =)"), "$$g_{\\mathrm{av}}$$ ="}}};
+  std::string text = latex_text(fmt::format("{}", fmt::join(sentences, " ")));
+  for (const auto& [symbol, in_latex] : symbols) text = std::regex_replace(text, symbol, in_latex);
+  return text;
 }
 
-// Returns " by signed ranks (n = 5 to 20 targets)".
-std::string tests_text(const std::set<std::string>& tests, const std::set<int>& sizes, const std::string& noun) {
-  if (sizes.empty()) return "";
-  const std::string smallest = sizes.size() == 1 ? "" : fmt::format("{} to ", *sizes.begin());
-  return fmt::format(", by {} (n = {}{})", listed({tests.begin(), tests.end()}), smallest,
-                     base::counted(*sizes.rbegin(), noun));
+// Returns what a repeated paper says before its table, as a paragraph of its own; empty for another report.
+std::string lead_paragraph(const Report& report) {
+  std::vector<std::string> sentences;
+  for (const Block& block : report.lead) {
+    if (std::holds_alternative<Table>(block)) break;
+    if (const auto* const heading = std::get_if<Heading>(&block)) sentences.push_back(heading->text);
+    if (const auto* const text = std::get_if<std::string>(&block)) sentences.push_back(*text);
+  }
+  return sentences.empty() ? "" : latex_paragraph(sentences) + "\n\n";
 }
 
-// Returns a sentence about the pairs of a metric: each pair, or how often each verdict is if the pairs are many.
-std::string pairs_sentence(const ReportModel& model, const JudgedMetric& judged) {
-  std::map<std::string_view, int> counts;
-  std::set<std::string> tests;
-  std::set<int> sizes;
-  std::vector<std::string> parts;
-  for (const Comparison& comparison : judged.comparisons) {
-    const Verdict verdict = verdict_of(comparison);
-    ++counts[is_difference(verdict) ? "decided" : judge::name_of(verdict)];
-    if (judged.comparisons.size() <= max_pairs) parts.push_back(pair_text(comparison, judged));
-    if (const auto* const tested = std::get_if<TestResult>(&comparison.result)) {
-      tests.insert(std::string(tested->test));
-      sizes.insert(tested->n);
-    }
-  }
-  if (parts.empty()) {
-    for (const auto& [verdict, count] : counts) parts.push_back(fmt::format("{} {}", count, verdict));
-    parts = {fmt::format("{} pairs ({})", judged.comparisons.size(), listed(parts))};
-  }
-  const std::string text =
-      fmt::format("{}{}: {}.", judged.samples.quantity, tests_text(tests, sizes, observation_noun(model, judged)),
-                  fmt::join(parts, "; "));
-  return model.direction.empty() ? as_sentence(text) : text;  // a user's name of a metric keeps its first letter
+// Returns the results, and what is said of hard targets if there is room.
+std::vector<std::string> results_with_hard_targets(const Report& report) {
+  std::vector<std::string> sentences = results_sentences(report.model);
+  if (report.model.hard_targets && sentences.size() < max_result_sentences)
+    sentences.push_back(hard_targets_sentence(*report.model.hard_targets));
+  return sentences;
+}
+
+// Returns the sentence that names the table of pairs; empty if there is none.
+std::string pairs_reference(const Report& report) {
+  const std::string predicate = pairs_predicate(report.model);
+  if (predicate.empty()) return "";
+  return fmt::format(" Table~\\ref{{tab:{}}} {}.", article_table(pairs_table(report.model), report).name,
+                     latex_text(predicate));
 }
 
 }  // namespace
@@ -85,62 +76,20 @@ Table article_table(const Table& whole, const Report& report) {
   return table;
 }
 
-std::string methods_paragraph(const Report& report, const std::string& program) {
-  const ReportModel& model = report.model;
-  const bool is_of_file = report.study.series.empty();
-  std::vector<std::string> facts, sentences;
-  for (const Table& table : setup_tables(report))
-    for (const auto& row : table.rows)
-      facts.push_back(fmt::format("{}: {}", std::get<std::string>(row[0]), std::get<std::string>(row[1])));
-  if (is_of_file) {
-    sentences.push_back(fmt::format("{} of {} were compared; {}",
-                                    base::counted(std::ssize(model.primary().descriptives), "groups"),
-                                    report.study.name, model.direction));
-    sentences.insert(sentences.end(), model.notes.begin(), model.notes.end());
-  } else {
-    sentences.push_back(listed(report.study.labels) + " were compared");
-  }
-  sentences.push_back(as_sentence(fmt::format("{}", fmt::join(facts, "; "))));
-  sentences.push_back("Made with " + program);
-  std::erase(sentences, "");
-  for (std::string& sentence : sentences)
-    if (sentence.ends_with('.')) sentence.pop_back();  // the join adds full stops
-  return fmt::format("{}", fmt::join(sentences, ". "));
-}
-
-std::vector<std::string> results_sentences(const ReportModel& model) {
-  std::vector<std::string> sentences{headline(model)};
-  if (model.hard_targets) sentences.push_back(hard_targets_sentence(*model.hard_targets));
-  const bool are_two = model.primary().descriptives.size() == 2;
-  for (const JudgedMetric& judged : model.metrics) {
-    if (!judged.comparisons.empty() && (are_two || model.is_in_headline(judged)))
-      sentences.push_back(pairs_sentence(model, judged));
-  }
-  if (const std::string ranking = ranking_note(model); !ranking.empty()) sentences.push_back(ranking + '.');
-  for (const Warning& warning : model.all_warnings()) sentences.push_back(warning_sentence(warning));
-  std::erase(sentences, "");
-  return sentences;
-}
-
 void write_article(const Report& report, const std::vector<std::string>& tables,
                    const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
                    const std::string& program) {
   const auto write = [&](const char* name, const std::string& text) {
     base::write_file(folder / "article" / name, text);
   };
-  const std::string methods = methods_paragraph(report, program);
-  std::vector<std::string> sentences, of_report = results_sentences(report.model);
-  for (const Block& block : report.lead) {  // what a repeated paper says before the table
-    if (std::holds_alternative<Table>(block)) break;
-    if (const auto* const heading = std::get_if<Heading>(&block)) sentences.push_back(heading->text);
-    if (const auto* const text = std::get_if<std::string>(&block)) sentences.push_back(*text);
-  }
-  std::ranges::move(of_report, std::back_inserter(sentences));
-  const std::string results = fmt::format("{}", fmt::join(sentences, " "));
   const auto& keys = report.citation_keys;
-  write("methods.tex", fmt::format("{}.{}{}{}\n", latex_text(methods), keys.empty() ? "" : " Solvers and arm: \\cite{",
-                                   fmt::join(keys, ","), keys.empty() ? "" : "}."));
-  write("results.tex", latex_text(results) + '\n');
+  write("methods.tex", fmt::format("{}{} {}\n", latex_paragraph(methods_sentences(report)),
+                                   keys.empty() ? ""
+                                                : fmt::format(" The solvers and the arm are described in~\\cite{{{}}}.",
+                                                              fmt::join(keys, ",")),
+                                   latex_text(methods_bracket(report, program))));
+  write("results.tex", fmt::format("{}{}{}\n", lead_paragraph(report),
+                                   latex_paragraph(results_with_hard_targets(report)), pairs_reference(report)));
   if (!keys.empty()) write("references.bib", std::string(report.references));
   std::string floats;
   for (const std::string& table : tables) floats += fmt::format("\\input{{\\report/tables/{}}}\n", table);

@@ -10,13 +10,6 @@
 
 namespace ikbench::show {
 
-// Returns the paragraph for Methods as plain text without the last full stop: the solvers and the set-up. `program` is
-// the name and version of the program.
-std::string methods_paragraph(const Report& report, const std::string& program);
-// Returns the sentences for Results: the headline, the pairs of the metrics in the headline (of all metrics if there
-// are two groups), what decides, and the warnings.
-std::vector<std::string> results_sentences(const ReportModel& model);
-
 // Returns a table for an article, with the name of the study in the table's name and caption. Rows behind the visible
 // ones are left out, unless no row is visible.
 Table article_table(const Table& whole, const Report& report);

@@ -148,6 +148,10 @@ std::string dominance_text(const Comparison& comparison) {
                      number_text(100 * tested->dominance->worse));
 }
 
+bool shows_a12(const TestResult& tested, const JudgedMetric& judged) {
+  return tested.dominance && !tested.hedges_g && !is_success_rate(judged);
+}
+
 std::set<double> null_and_margin(const Comparison& comparison, const JudgedMetric& judged) {
   const double margin = judged.plan.margin;
   if (comparison.scale == EffectScale::ratio) return {1, 1 + margin, 1 / (1 + margin)};
@@ -155,19 +159,28 @@ std::set<double> null_and_margin(const Comparison& comparison, const JudgedMetri
   return {0, end, -end};
 }
 
-std::string budget_text(const StudyResults& study) {
+std::string tolerance_text(const StudyResults& study) {
   const numerics::StopRule& stop = study.definition.stop;
   std::vector<std::string> tolerances{limit_text(10 * stop.tolerance_cm(), " mm"),
                                       limit_text(stop.tolerance_deg(), " deg")};
   std::erase(tolerances, "");
+  return listed(tolerances) + (stop.adds_squares ? " (squares added)" : "");
+}
+
+std::string effort_limits_text(const StudyResults& study) {
+  const numerics::StopRule& stop = study.definition.stop;
   std::vector<std::string> limits{count_limit_text(stop.iterations, "iterations"),
                                   count_limit_text(stop.evaluations, "evaluations"),
                                   limit_text(1000 * stop.seconds, " ms")};
   std::erase(limits, "");
+  return limits.empty() ? "" : "after " + listed(limits, " or ");
+}
+
+std::string budget_text(const StudyResults& study) {
   std::vector<std::string> stops;
-  if (!tolerances.empty())
-    stops.push_back(fmt::format("at {}{}", listed(tolerances), stop.adds_squares ? " (squares added)" : ""));
-  if (!limits.empty()) stops.push_back("after " + listed(limits, " or "));
+  if (study.definition.has_tolerance()) stops.push_back("at " + tolerance_text(study));
+  stops.push_back(effort_limits_text(study));
+  std::erase(stops, "");
   return fmt::format("{}", fmt::join(stops, ", or "));
 }
 

@@ -55,6 +55,8 @@ std::string warning_sentence(const judge::Warning& warning);
 std::string estimate_unit(const judge::Comparison& comparison, const judge::JudgedMetric& judged);
 // Returns "better in 43 % and worse in 3 % of value pairs". Empty if the test shows no difference, or has no dominance.
 std::string dominance_text(const judge::Comparison& comparison);
+// Returns whether A12 is shown as the effect size of a test: by ranks, but not of shares.
+bool shows_a12(const judge::TestResult& tested, const judge::JudgedMetric& judged);
 // Returns the numbers that decide a comparison, on the scale of the estimate: no difference (1 for a ratio, otherwise
 // 0), and the two ends of the margin.
 std::set<double> null_and_margin(const judge::Comparison& comparison, const judge::JudgedMetric& judged);
@@ -67,7 +69,11 @@ std::string margin_text(const judge::JudgedMetric& judged);
 const std::string& title_of(const judge::StudyResults& study);
 // Returns the arm, the size and the target set of a study: "ur5e, 20 runs of 5 targets (random)".
 std::string study_text(const judge::StudyResults& study);
-// Returns when a solve stops: "at 0.01 mm, or after 10000 evaluations".
+// Returns the errors at which a solve stops: "0.01 mm and 0.06 deg". Only for a study with a tolerance.
+std::string tolerance_text(const judge::StudyResults& study);
+// Returns what else ends a solve: "after 100 iterations or 4000 evaluations". Empty if nothing does.
+std::string effort_limits_text(const judge::StudyResults& study);
+// Returns both: "at 0.01 mm, or after 10000 evaluations".
 std::string budget_text(const judge::StudyResults& study);
 // Returns why solves failed: "Why unsolved: evaluation limit (DLS); gave up or iteration limit (PSO and DE).".
 // Empty if all solves are solved, or if the study has no tolerance.

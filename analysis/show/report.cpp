@@ -12,9 +12,11 @@
 #include "analysis/judge/statistics/omnibus.hpp"
 #include "analysis/show/hard_targets.hpp"
 #include "analysis/show/headline.hpp"
+#include "analysis/show/methods_paragraph.hpp"
 #include "analysis/show/phrases.hpp"
 #include "analysis/show/requirements.hpp"
 #include "analysis/show/result_tables.hpp"
+#include "analysis/show/results_paragraph.hpp"
 #include "analysis/show/text.hpp"
 #include "base/json.hpp"
 
@@ -148,6 +150,18 @@ std::vector<Table> setup_tables(const Report& report) {
   return {std::move(of_study), std::move(machine)};
 }
 
+namespace {
+
+// Returns the set-up as tables and as a paragraph.
+Blocks setup_blocks(const Report& report) {
+  const std::vector<Table> tables = setup_tables(report);
+  return {tables[0], options_table(report.study), tables[1],
+          fmt::format("{} {}", fmt::join(methods_sentences(report), " "), methods_bracket(report, "")),
+          "With references: article/methods.tex."};
+}
+
+}  // namespace
+
 std::vector<Blocks> report_sections(const Report& report) {
   std::vector<Blocks> sections{report.lead};
   const bool is_of_study = !report.study.series.empty();  // otherwise of a user's file
@@ -171,6 +185,7 @@ std::vector<Blocks> report_sections(const Report& report) {
     results.notes.insert(results.notes.end(), warnings.begin(), warnings.end());
     warnings.clear();
     sections[0].emplace_back(std::move(results));
+    sections[0].emplace_back(fmt::format("{}", fmt::join(results_sentences(report.model), " ")));
   }
   const auto add = [&](std::string heading, Blocks blocks) {
     const auto is_empty = [](const Block& block) {
@@ -203,9 +218,7 @@ std::vector<Blocks> report_sections(const Report& report) {
   }
   warnings.insert(warnings.end(), report.extra_warnings.begin(), report.extra_warnings.end());
   add("Warnings", {warnings.begin(), warnings.end()});
-  if (is_of_study)
-    add("Set-up", {setup_tables(report)[0], options_table(report.study), setup_tables(report)[1],
-                   "The same as a paragraph with references: article/methods.tex."});
+  if (is_of_study) add("Set-up", setup_blocks(report));
   return sections;
 }
 

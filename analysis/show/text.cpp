@@ -77,14 +77,15 @@ std::string latex_text(std::string_view text) {
                                                     {'>', "\\textgreater{}"},
                                                     {'|', "\\textbar{}"},
                                                     {'`', "\\textasciigrave{}"},
-                                                    {'"', "{\\char34}"},
+                                                    {'"', "''"},
                                                     {'[', "{[}"},
                                                     {']', "{]}"},
                                                     {'*', "{*}"}}};  // after \\ it would be an argument
   // TeX would set an opening quote as a closing one, and a minus sign as a hyphen.
-  static const std::regex quote("(^|[ (])'(?=[^ ])"), power("(^|[ (])(-?[0-9.]+)e[+]?(-?)0*([0-9]+)(?=$|[ ),;])"),
-      sign("(^|[ (])-(?=[0-9])");
-  std::string result = std::regex_replace(replaced(text, substitutes, "{}$&#_%"), quote, "$1`");
+  static const std::regex quote("(^|[ (])'(?=[^ ])"), quotes("(^|[ (])''(?=[^ ])"),
+      power("(^|[ (}])(-?[0-9.]+)e[+]?(-?)0*([0-9]+)(?=$|[ ),;{])"), sign("(^|[ (}])-(?=[0-9])");
+  std::string result = std::regex_replace(replaced(text, substitutes, "{}$&#_%"), quotes, "$1``");
+  result = std::regex_replace(result, quote, "$1`");
   result = std::regex_replace(result, power, "$1$$$2 \\times 10^{$3$4}$$");
   return std::regex_replace(result, sign, "$1$$-$$");
 }
@@ -123,6 +124,21 @@ std::string number_within(double value, const Boundaries& ends, int digits) {
 std::string p_text(double p, const Boundaries& ends) {
   if (p < 0.0001) return "< 0.0001";
   return number_within(p, ends, p < 0.001 ? 2 : 3);
+}
+
+std::string number_word(std::size_t number) {
+  constexpr std::array<const char*, 13> words{"no",    "one",   "two",  "three", "four",   "five",  "six",
+                                              "seven", "eight", "nine", "ten",   "eleven", "twelve"};
+  return number < words.size() ? words[number] : fmt::to_string(number);
+}
+
+std::string name_in_sentence(const std::string& name) {
+  return name.find(',') == std::string::npos ? name : fmt::format("\"{}\"", name);
+}
+
+std::string enumerated(const std::vector<std::string>& texts) {
+  if (texts.size() < 2) return fmt::format("{}", fmt::join(texts, ""));
+  return fmt::format("{} and {}", fmt::join(texts.begin(), texts.end() - 1, ", "), texts.back());
 }
 
 std::string as_sentence(std::string text) {

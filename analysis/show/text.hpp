@@ -23,6 +23,12 @@ std::string latex_text(std::string_view text);
 std::string with_spaces(std::string_view name);
 // Returns the text with a capital first letter.
 std::string as_sentence(std::string text);
+// Returns the name of a solver as it stands in a sentence: in quotes if it has a comma.
+std::string name_in_sentence(const std::string& name);
+// Returns "A, B and C". Unlike base::listed it takes texts with commas in brackets or quotes.
+std::string enumerated(const std::vector<std::string>& texts);
+// Returns "nine" for 9, and the digits of a number above twelve.
+std::string number_word(std::size_t number);
 // Returns the letters and digits of a name, with "-" for what stands between: an anchor, a link or a label of LaTeX.
 std::string anchor_id(std::string_view name);
 

@@ -33,7 +33,8 @@ compiles() {
 } >labels.toml
 succeeds run labels.toml --figures none --out labels
 succeeds run slim2023 "${small[@]}" --figures none --out paper
-for folder in labels paper; do
+succeeds stats "$root/tests/data/csv/zero.csv" --better smaller --figures none --out file
+for folder in labels paper file; do
   for class in IEEEtran plain; do
     (
       cd $folder/article || exit 1

@@ -88,39 +88,120 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
   CHECK(json["comparisons"].size() == 12);
 }
 
-TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
-  std::string all;
-  const auto add = [&](const std::string& what, const ReportModel& model) {
-    all += fmt::format("{}:\n", what);
-    for (const std::string& sentence : results_sentences(model)) all += fmt::format("  {}\n", sentence);
-  };
-  const auto of = [](judge::MetricSamples samples, const judge::AnalysisPlan& plan = {}) {
-    ReportModel model = make_report_model({judged(std::move(samples), plan)});
-    model.noun = "targets";
-    return model;
-  };
-  const auto errors_of = [](std::size_t solvers) {
-    std::vector<std::pair<std::string, std::vector<double>>> groups;
-    for (std::size_t i = 0; i < solvers; ++i)
-      groups.emplace_back(fmt::format("S{}", i), values_around(1 + 0.3 * static_cast<double>(i), 0.5));
-    judge::MetricSamples errors = numbers("error", "error", "mm", groups);
-    errors.is_paired = true;
-    return errors;
-  };
-  add("a study of three", make_report().model);
-  add("two", of(errors_of(2)));
-  add("two by means", of(errors_of(2), {.test = results::AnalysisPlan::Test::means}));
-  add("ten", of(errors_of(10)));
-  add("seventeen", of(errors_of(17)));
-  add("ten, with a control", of(errors_of(10), {.control = "S4"}));
+namespace {
+
+// Returns a report of a file with one metric, as `stats` makes it.
+Report report_of(judge::MetricSamples samples, const judge::AnalysisPlan& plan = {}) {
+  Report report{.model = make_report_model({judged(std::move(samples), plan)})};
+  report.study.name = "errors.csv";
+  report.model.direction = "smaller is better";
+  if (report.model.primary().samples.is_paired) report.model.noun = "blocks";
+  return report;
+}
+
+judge::MetricSamples errors_of(std::size_t solvers) {
+  std::vector<std::pair<std::string, std::vector<double>>> groups;
+  for (std::size_t i = 0; i < solvers; ++i)
+    groups.emplace_back(fmt::format("S{}", i), values_around(1 + 0.3 * static_cast<double>(i), 0.5));
+  judge::MetricSamples errors = numbers("error", "error", "mm", groups);
+  errors.is_paired = true;
+  return errors;
+}
+
+// Returns the study of judged_study() with other metrics and labels.
+Report study_of(std::vector<judge::JudgedMetric> metrics, std::size_t primary = 0) {
+  judge::JudgedStudy study = judged_study();
+  study.metrics = std::move(metrics);
+  study.primary = primary;
+  study.study.labels.clear();
+  for (const judge::Group& group : study.metrics.front().samples.groups) study.study.labels.push_back(group.name);
+  return ikbench::show::make_report(std::move(study), {});
+}
+
+// Returns the reports whose paragraphs are frozen.
+std::vector<std::pair<std::string, Report>> reports_with_paragraphs() {
+  using Test = results::AnalysisPlan::Test;
+  std::vector<std::pair<std::string, Report>> reports;
+  const auto add = [&](const char* what, Report report) { reports.emplace_back(what, std::move(report)); };
+  add("a study of three", make_report());
+  judge::MetricSamples costs = errors_of(3);
+  costs.metric = "evaluations";
+  costs.quantity = "evaluations";
+  costs.unit.clear();
+  costs.quantity_kind = judge::QuantityKind::evaluations;
+  const std::vector<judge::JudgedMetric> of_tied{
+      judged(shares({{"S0", solved(20)}, {"S1", solved(20)}, {"S2", solved(19)}})), judged(costs)};
+  Report tied = study_of(of_tied);
+  tied.model = make_report_model(of_tied, 0, {"evaluations"});
+  tied.model.noun = "targets";
+  tied.citation_keys = {"kennedy1995", "slim2023"};
+  add("a study that a second metric decides, cited", tied);
+  Report path = study_of({judged(errors_of(3), {.test = Test::means})});
+  path.study.definition.start = results::Start::previous;
+  path.study.definition.path = "helix";
+  path.study.definition.draws_targets = false;
+  path.study.definition.stop.tolerance = 0;
+  path.study.definition.departures = {"runs", "population"};
+  add("a path", path);
+  Report map = study_of({judged(shares({{"S0", solved(20)}, {"S1", solved(12)}}))});
+  map.study.definition.draws_targets = false;
+  map.study.definition.runs = 1;
+  map.study.definition.points = 20;
+  map.study.definition.grid = {.step = 0.05, .across = {1, 0, 0}, .up = {0, 0, 1}, .shoulder = {0, 0, 0.1}};
+  add("a grid", map);
+  add("nothing solved",
+      study_of({judged(shares({{"S0", solved(0)}, {"S1", solved(0)}, {"S2", solved(0)}})), judged(errors_of(3))}, 1));
+  add("a sweep", study_of({judged(shares({{"LM, damping=1", solved(20)}, {"LM, damping=0.1", solved(12)}}))}));
+  Report paper = study_of({judged(errors_of(3))});
+  paper.lead = {Heading{"The conclusion of the \"paper\" holds."}, "We reproduce 41 of 60 statistics.",
+                Table{.name = "table-3", .caption = "Table 3", .columns = {{"solver"}}}};
+  add("a repeated paper", paper);
+  add("a file of two, by ranks", report_of(errors_of(2)));
+  add("a file of three, by means", report_of(errors_of(3), {.test = Test::means}));
+  judge::MetricSamples unpaired =
+      numbers("value", "value", "", {{"A", values_around(1, 1)}, {"B", values_around(1.4, 1)}});
+  add("a file of two, inconclusive", report_of(unpaired));
+  add("ten", report_of(errors_of(10)));
+  add("seventeen", report_of(errors_of(17)));
+  add("ten, with a control", report_of(errors_of(10), {.control = "S4"}));
   judge::MetricSamples lost = errors_of(3);
   lost.groups[1].sample = judge::ExcludedSample{.missing = 3, .values = {1, 2}};
-  add("one not compared", of(lost));
-  ReportModel nothing = make_report_model(
-      {judged(shares({{"A", solved(0)}, {"B", solved(0)}, {"C", solved(0)}})), judged(errors_of(3))}, 1);
-  add("nothing solved", nothing);
-  add("too few", of(numbers("error", "error", "mm", {{"A", {1, 2, 3}}, {"B", {4, 5, 6}}})));
-  check_golden("results.txt", all);
+  add("one not compared", report_of(lost));
+  add("too few", report_of(numbers("error", "error", "mm", {{"A", {1, 2, 3}}, {"B", {4, 5, 6}}})));
+  return reports;
+}
+
+}  // namespace
+
+TEST_CASE("paragraphs for an article are those that were read", "[show]") {
+  const ScratchFolder folder;
+  std::string all;
+  for (const auto& [what, report] : reports_with_paragraphs()) {
+    write_article(report, {}, {}, folder.path, "ikbench 2.0.0 (commit)");
+    all += fmt::format("% {}\n{}{}\n", what, text_in(folder.path / "article" / "methods.tex"),
+                       text_in(folder.path / "article" / "results.tex"));
+  }
+  check_golden("paragraphs.tex", all);
+}
+
+TEST_CASE("paragraphs have few comparisons a sentence, and nothing of a screen", "[show]") {
+  for (const auto& [what, report] : reports_with_paragraphs()) {
+    std::vector<std::string> sentences = results_sentences(report.model);
+    CHECK(sentences.size() <= max_result_sentences);
+    for (const std::string& sentence : sentences) {
+      std::size_t tests = 0;
+      for (std::size_t at = sentence.find("p "); at != std::string::npos; at = sentence.find("p ", at + 1)) ++tests;
+      INFO(sentence);
+      CHECK(tests <= 4);
+    }
+    std::ranges::move(methods_sentences(report), std::back_inserter(sentences));
+    for (const std::string& sentence : sentences) {
+      INFO(what << ": " << sentence);
+      CHECK(sentence.ends_with('.'));
+      for (const char* const of_screens : {"..", " more", "--", "! ", ": "})
+        CHECK_FALSE(contains(sentence, of_screens));
+    }
+  }
 }
 
 TEST_CASE("a table of results shows medians or means, by which solvers are tested", "[show]") {

@@ -128,21 +128,34 @@ std::string too_much(const ReportModel& model) {
   return named == std::multiset<std::string>(all.begin(), all.end()) ? "" : "who is told";
 }
 
-// What a paragraph of results lacks: the pairs, or their counts.
+// What a paragraph of results has wrong: a verdict that no pair has, or a pair without its verdict.
 std::string wrong_in_results(const ReportModel& model) {
   const JudgedMetric& judged = model.primary();
   const std::vector<std::string> sentences = results_sentences(model);
-  if (sentences.front() != headline(model)) return "no headline";
-  std::map<std::string, int> counts;
-  for (const Comparison& comparison : judged.comparisons)
-    ++counts[judged.comparisons.size() <= max_pairs
-                 ? fmt::format("{} against {}: {}", comparison.first, comparison.second,
-                               comparison_text(comparison, judged))
-             : is_difference(verdict_of(comparison)) ? "decided"
-                                                     : std::string(judge::name_of(verdict_of(comparison)))];
-  for (const auto& [what, count] : counts)
-    if (!contains(sentences[1], judged.comparisons.size() <= max_pairs ? what : fmt::format("{} {}", count, what)))
-      return what;
+  if (sentences.size() > max_result_sentences) return "many sentences";
+  const std::map<Verdict, const char*> words{{Verdict::better, "better than"},
+                                             {Verdict::equivalent, "equivalent to"},
+                                             {Verdict::inconclusive, "inconclusive"},
+                                             {Verdict::not_tested, " tested"}};
+  for (const auto& [verdict, word] : words) {
+    const auto has_verdict = [&](const Comparison& comparison) {
+      const Verdict found = verdict_of(comparison);
+      return found == verdict || (found == Verdict::worse && verdict == Verdict::better);
+    };
+    const auto has_word = [&](const std::string& sentence) { return contains(sentence, word); };
+    const bool is_said = std::ranges::any_of(sentences, has_word);
+    if (is_said && std::ranges::none_of(judged.comparisons, has_verdict)) return word;
+    if (judged.comparisons.size() > max_pairs) continue;
+    for (const Comparison& comparison : judged.comparisons) {
+      const auto is_about = [&](const std::string& sentence) {
+        const bool has_names = contains(sentence, comparison.first) && contains(sentence, comparison.second);
+        return has_word(sentence) && (has_names || contains(sentence, "no pair was tested"));
+      };
+      const bool are_many = verdict == Verdict::not_tested && judged.comparisons.size() > 4;
+      if (has_verdict(comparison) && !are_many && std::ranges::none_of(sentences, is_about))
+        return fmt::format("{} {} {}", comparison.first, word, comparison.second);
+    }
+  }
   return "";
 }
 
