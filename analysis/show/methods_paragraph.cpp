@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "analysis/judge/statistics/closed_tests.hpp"
 #include "analysis/show/phrases.hpp"
 #include "analysis/show/text.hpp"
 #include "base/names.hpp"
@@ -135,8 +136,9 @@ std::string cost_sentence(const ReportModel& model) {
 // The comparisons.
 
 // The tests whose names do not become a phrase by the word "test" behind them.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 5> phrases_of_tests{
-    {{"Brunner-Munzel and Mann-Whitney", "the larger p of the Brunner-Munzel and Mann-Whitney tests"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> phrases_of_tests{
+    {{closed_tests_name, closed_tests_name},
+     {"Brunner-Munzel and Mann-Whitney", "the larger p of the Brunner-Munzel and Mann-Whitney tests"},
      {"Wilcoxon's signed ranks", "Wilcoxon's signed-rank test"},
      {"paired t", "the paired t test"},
      {"sign test", "the sign test"},
@@ -166,7 +168,7 @@ std::string tests_sentence(const ReportModel& model) {
   return fmt::format("{} tested by {}.", subject, tests.size() == 1 ? tests.front().first : enumerated(texts));
 }
 
-// Returns the sentences on p and on the intervals, which are corrected alike.
+// Returns the sentences on p and on the intervals, which are corrected alike. Closed tests have no intervals.
 std::vector<std::string> correction_sentences(const ReportModel& model) {
   const std::string noun = model.direction.empty() ? "solvers" : "groups";
   const AnalysisPlan& plan = model.primary().plan;
@@ -176,11 +178,20 @@ std::vector<std::string> correction_sentences(const ReportModel& model) {
   }
   if (model.named_metrics > 1)
     families.push_back(fmt::format("the {} metrics of the plan", number_word(model.named_metrics)));
+  const std::vector<std::string> closed = closed_metrics(model);
+  const bool has_intervals = closed.size() < model.metrics.size();
+  std::string method = model.named_metrics > 1 || has_intervals ? "Bonferroni" : "closed tests";
+  if (method == "Bonferroni" && !closed.empty())
+    method += fmt::format("; the pairs {} by closed tests", has_intervals ? "of " + listed(closed) : "of each");
   std::string found = fmt::format("A difference is found if p is below {}", number_text(plan.significance));
-  if (!families.empty()) found += fmt::format("; p and intervals are corrected for {} (Bonferroni)", listed(families));
+  if (!families.empty())
+    found += fmt::format("; {} corrected for {} ({})", has_intervals ? "p and intervals are" : "p is", listed(families),
+                         method);
+  found += '.';
+  if (!has_intervals) return {found};
   const bool has_shares = is_success_rate(model.primary()) && model.metrics.size() > 1;
   const std::string others = has_shares ? fmt::format(" ({} % in other metrics)", number_text(100 * plan.margin)) : "";
-  return {found + '.',
+  return {found,
           fmt::format("Square brackets are {} % confidence intervals, and two {} are equivalent if the interval of "
                       "their difference lies within {}{}.",
                       number_text(100 * (1 - plan.significance)), noun, margin_text(model.primary()), others)};

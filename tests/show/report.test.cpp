@@ -164,6 +164,13 @@ std::vector<std::pair<std::string, Report>> reports_with_paragraphs() {
   add("ten", report_of(errors_of(10)));
   add("seventeen", report_of(errors_of(17)));
   add("ten, with a control", report_of(errors_of(10), {.control = "S4"}));
+  judge::MetricSamples few = errors_of(6);
+  for (judge::Group& group : few.groups) std::get<judge::Sample>(group.sample).values.resize(7);
+  add("few blocks", report_of(few));
+  judge::MetricSamples many = errors_of(6);
+  many.metric = "variation";
+  many.quantity = "joint motion";
+  add("few blocks in one of two metrics", study_of({judged(few), judged(many)}));
   judge::MetricSamples lost = errors_of(3);
   lost.groups[1].sample = judge::ExcludedSample{.missing = 3, .values = {1, 2}};
   add("one not compared", report_of(lost));

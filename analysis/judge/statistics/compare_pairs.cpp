@@ -268,7 +268,8 @@ std::optional<Dominance> dominance_of(const MetricSamples& samples, const Pair& 
   const bool is_larger_better = samples.better == Better::larger;
   Dominance dominance{larger / pairs, smaller / pairs};
   if (!is_larger_better) std::swap(dominance.better, dominance.worse);
-  if (!is_proportion(samples)) dominance.interval = a12_interval_of(numbers, dominance, is_larger_better, alpha);
+  if (!is_proportion(samples) && !pair.closed)  // no interval of closed tests holds for all pairs
+    dominance.interval = a12_interval_of(numbers, dominance, is_larger_better, alpha);
   return dominance;
 }
 
