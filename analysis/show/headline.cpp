@@ -570,7 +570,7 @@ std::string few_blocks_sentences(const ReportModel& model) {
     if (!are_by_closed_tests(judged.comparisons)) continue;
     const std::string blocks = closed_sizes(judged, observation_noun(model, judged));
     const std::string quantity = &judged == &model.primary() ? "" : " in " + judged.samples.quantity;
-    text += fmt::format(" The {} are compared{} by {}.", blocks, quantity, closed_tests_name);
+    text += fmt::format(" Because {} are few, pairs are compared{} by {}.", blocks, quantity, closed_tests_name);
   }
   return text;
 }

@@ -229,11 +229,11 @@ std::string numbers_note(const ReportModel& model, const CellKinds& kinds) {
                      model.direction);
 }
 
-// Returns ", corrected", or the names of the tests if the blocks of a metric are few.
+// Returns ", corrected", or that closed tests are used if the blocks of a metric are few; the headline names them.
 std::string correction_text(const ReportModel& model) {
   const std::vector<std::string> closed = closed_metrics(model);
-  if (closed.size() == model.metrics.size()) return fmt::format(", {}", closed_tests_name);
-  if (!closed.empty()) return fmt::format(", corrected; {}: {}", listed(closed), closed_tests_name);
+  if (closed.size() == model.metrics.size()) return ", closed tests";
+  if (!closed.empty()) return fmt::format(", corrected; {}: closed tests", listed(closed));
   const bool is_corrected = model.order.size() > 2 || model.named_metrics > 1 || !model.verdict.empty();
   return is_corrected ? ", corrected" : "";
 }
