@@ -153,7 +153,7 @@ std::string with_interval(double value, const std::optional<Interval>& interval,
   return interval ? fmt::format("{} {}", text, bracketed(*interval, ends)) : text;
 }
 
-bool is_ratio(const Comparison& comparison) { return comparison.scale == EffectScale::ratio; }
+bool estimates_ratio(const Comparison& comparison) { return comparison.scale == EffectScale::ratio; }
 
 // Returns the numbers of a pair: "ratio 0.69 [0.51, 0.8], A12 = 0.75 [0.6, 0.9], p = 0.02".
 std::string numbers_of(const Comparison& comparison, const JudgedMetric& judged) {
@@ -164,8 +164,8 @@ std::string numbers_of(const Comparison& comparison, const JudgedMetric& judged)
     const std::set<double> ends = null_and_margin(comparison, judged);
     const auto& [value, interval] = *comparison.estimate;
     texts.push_back(
-        fmt::format("{} {}", is_ratio(comparison) ? "ratio" : "difference",
-                    with_interval(value, interval, is_ratio(comparison) ? "" : estimate_unit(comparison, judged),
+        fmt::format("{} {}", estimates_ratio(comparison) ? "ratio" : "difference",
+                    with_interval(value, interval, estimates_ratio(comparison) ? "" : estimate_unit(comparison, judged),
                                   {ends.begin(), ends.end()})));
   }
   if (tested && tested->hedges_g) {
@@ -226,7 +226,7 @@ std::string range_text(const Pairs& pairs, const JudgedMetric& judged) {
   const std::string p_clause = p[0] == '<' ? "p " + p : "p of at most " + p;
   if (estimates.empty()) return p_clause;
   const auto [low, high] = std::ranges::minmax(estimates);
-  const bool are_ratios = is_ratio(pairs.front());
+  const bool are_ratios = estimates_ratio(pairs.front());
   return fmt::format("{} of {} to {} and {}", are_ratios ? "ratios" : "differences", number_text(low),
                      with_unit(number_text(high), are_ratios ? "" : estimate_unit(pairs.front(), judged)), p_clause);
 }
