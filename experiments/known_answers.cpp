@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,6 +19,7 @@
 #include "experiments/task.hpp"
 #include "experiments/verifier.hpp"
 #include "results/goal_freedoms.hpp"
+#include "solvers/damped_step.hpp"
 #include "solvers/objective.hpp"
 
 namespace ikbench::experiments {
@@ -248,7 +247,7 @@ Configuration AnswerFinder::polished(const Configuration& answer) const {
   Configuration best = answer;
   for (int step = 0; step < max_steps; ++step) {
     const solvers::Linearized linearized = objective.linearize(best, jacobian);
-    const Configuration newton = jacobian.colPivHouseholderQr().solve(linearized.to_go);
+    const Configuration newton = solvers::pseudo_inverse_times(jacobian, linearized.to_go, 0);
     double share = 1;  // a whole step overshoots near a singular answer
     while (share > smallest_share && !(objective.error(best + share * newton) < linearized.error)) share /= 2;
     if (share <= smallest_share) break;
@@ -262,7 +261,10 @@ bool AnswerFinder::is_singular(const Configuration& exact) const {
   Eigen::MatrixXd jacobian(objective.rows(), exact.size());
   objective.linearize(exact, jacobian);
   if (objective.goal().has_direction()) jacobian.bottomRows(3) /= objective.goal().rotation_weight;
-  return jacobian.jacobiSvd().singularValues()[exact.size() - 1] < min_singular_value;
+  double rank = 0;  // J^+ J without the singular values that are too small has as many ones on its diagonal as are left
+  for (Eigen::Index j = 0; j < exact.size(); ++j)
+    rank += solvers::pseudo_inverse_times(jacobian, jacobian.col(j), min_singular_value)[j];
+  return rank < static_cast<double>(exact.size()) - 0.5;
 }
 
 std::optional<std::size_t> AnswerFinder::add(const Configuration& answer) {

@@ -134,7 +134,7 @@ std::vector<Series> series_of(const Study& study) {
     Json values = Json::object();
     for (const auto& [name, value] : options) {
       const std::string text = text_of(value);
-      const Json number = Json::parse(text, nullptr, false);
+      const Json number = base::parsed_json(text);
       values[name] = number.is_number() ? number : Json(text);
     }
     series.push_back({.key = series_key(study, entry),
