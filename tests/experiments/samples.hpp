@@ -1,8 +1,6 @@
 // Studies that are small enough to run many times.
 #pragma once
 
-#include <Eigen/SVD>
-
 #include "base/units.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/external/protocol.hpp"

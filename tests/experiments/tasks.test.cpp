@@ -58,7 +58,14 @@ TEST_CASE("near singular, the manipulability is below that of 99 of 100 random c
   const auto manipulability = [&](const Configuration& q) {
     Matrix6Xd jacobian(6, q.size());
     arm.chain.pose_jacobian(q, jacobian);
-    return Eigen::JacobiSVD<Matrix6Xd>(jacobian).singularValues().prod();
+    double volume = 1;  // that the rows span (Gram-Schmidt), the product of the singular values
+    for (int row = 0; row < 6; ++row) {
+      Eigen::RowVectorXd apart = jacobian.row(row);
+      for (int before = 0; before < row; ++before) apart -= apart.dot(jacobian.row(before)) * jacobian.row(before);
+      volume *= apart.norm();
+      jacobian.row(row) = apart.normalized();
+    }
+    return volume;
   };
   double largest_near = 0;
   for (const Configuration& q : solutions_of(near)) largest_near = std::max(largest_near, manipulability(q));

@@ -24,7 +24,7 @@ TEST_CASE("a step is (J^T J + W)^-1 J^T e with the damping of each rule, in metr
         const Eigen::MatrixXd A = J.transpose() * J + W * Eigen::MatrixXd::Identity(q.size(), q.size());
         descent->step(recorded, random);
         INFO(rule << ", " << weight << ", " << iteration);
-        const Eigen::VectorXd gradient = J.transpose() * e, step = A.inverse() * gradient;
+        const Eigen::VectorXd gradient = J.transpose() * e, step = A.llt().solve(gradient);
         REQUIRE((recorded.candidates.back() - (q + step)).norm() < 1e-9);
       }
     }
