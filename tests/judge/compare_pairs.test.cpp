@@ -583,3 +583,18 @@ TEST_CASE("A pair has the blocks that both groups have, and can decide what thei
   CHECK(comparisons[2].n == 3);
   CHECK_FALSE(comparisons[2].estimate);  // of so few it would say more than it can
 }
+
+TEST_CASE("an A12 that is not on the side of the verdict has no interval", "[compare]") {
+  // Of 60 values 31 are a little worse, and 29 much better: signed ranks weigh how much.
+  std::vector<double> first, second;
+  for (int i = 0; i < 60; ++i) {
+    first.push_back(1 + 0.01 * i);
+    second.push_back(first.back() * (i < 31 ? 0.999 - 1e-5 * i : 2.0 + i));
+  }
+  const Comparison comparison = compare_pairs(paired(groups_of({first, second})), by_ranks, 1).front();
+  const TestResult& tested = std::get<TestResult>(comparison.result);
+  CHECK(tested.verdict == Verdict::better);
+  REQUIRE(tested.dominance);
+  CHECK(tested.dominance->a12() < 0.5);
+  CHECK_FALSE(tested.dominance->interval);
+}

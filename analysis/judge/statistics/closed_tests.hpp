@@ -1,7 +1,9 @@
-// Closed tests of paired groups with few blocks, where no pair could decide by itself after Bonferroni's correction
-// (Marcus, Peritz and Gabriel, Biometrika 63 (1976) 655). A pair is decided if its own test and Friedman's test of
-// every set of groups that has both are each below the level of their set. `compare_pairs` calls these functions. Costs
-// 2^groups tests of Friedman, about 20 ms for twelve groups. docs/explanation/methods.md has the simulated error rates.
+// Closed tests of paired groups with few blocks, where no pair could decide by itself after Bonferroni's correction, at
+// the levels of Ryan, Einot, Gabriel and Welsch. A pair is decided if its own test and Friedman's test of every set of
+// groups that has both are each below the level of their set. The levels hold the error where groups form several sets
+// of alike ones, which the closure alone (Marcus, Peritz and Gabriel, Biometrika 63 (1976) 655) does not by plain
+// levels. `compare_pairs` calls these functions. Costs 2^groups tests of Friedman, about 20 ms for twelve groups.
+// docs/explanation/methods.md has the simulated error rates.
 #pragma once
 
 #include <cstddef>

@@ -273,11 +273,18 @@ std::optional<Dominance> dominance_of(const MetricSamples& samples, const Pair& 
   return dominance;
 }
 
-// Makes the interval of A12 agree with the verdict: it ends at 0.5 if p decides, and otherwise includes 0.5. An
-// interval on the other side of 0.5 than the verdict is dropped.
-void settle_a12(Verdict verdict, std::optional<Interval>& interval) {
+// Makes the interval of A12 agree with the verdict: it ends at 0.5 if p decides, and otherwise includes 0.5. It is
+// dropped if A12 is not on the verdict's side of 0.5, since A12 of paired values counts blocks, and signed ranks do
+// not.
+void settle_a12(Verdict verdict, Dominance& dominance) {
   constexpr double alike = 0.5;
+  std::optional<Interval>& interval = dominance.interval;
   if (!interval) return;
+  const double side = verdict == Verdict::better ? 1 : -1;
+  if (is_difference(verdict) && side * (dominance.a12() - alike) <= 0) {
+    interval.reset();
+    return;
+  }
   if (!is_difference(verdict)) {
     interval = {std::min(alike, interval->low), std::max(alike, interval->high)};
   } else if (verdict == Verdict::better && interval->low <= alike) {
@@ -434,7 +441,7 @@ Comparison judged_on_common(const MetricSamples& samples, const AnalysisPlan& pl
     if (!is_same) tested.required_n = required_n(pair, outcome, tested.adjusted_p, alpha);
   }
   if (comparison.estimate) comparison.estimate->interval = interval;
-  if (tested.dominance) settle_a12(tested.verdict, tested.dominance->interval);
+  if (tested.dominance) settle_a12(tested.verdict, *tested.dominance);
   comparison.result = tested;
   return comparison;
 }
