@@ -122,3 +122,11 @@ TEST_CASE("a stored grid is the same grid again", "[path][grid]") {
   const Study finer = load_study(store, stored, {"path.step_cm=10"});
   CHECK(finer.path->points() > 3 * study.path->points());
 }
+
+TEST_CASE("a grid normal to all axes is where a prismatic joint holds the tool at half its range", "[path][grid]") {
+  // The links end 1.4 m above the floor and the tool 0.05 m below them; the slide lowers it by 0 to 0.15 m.
+  const Study study = grid_of(std::filesystem::absolute("tests/data/arms/scara.toml").string());
+  const results::TargetGrid& grid = *study.path->grid();
+  CHECK(grid.up == std::vector{0.0, 1.0, 0.0});
+  CHECK(std::abs(grid.shoulder[2] - (1.4 - 0.075 - 0.05)) < 1e-6);
+}

@@ -70,6 +70,15 @@ std::optional<Eigen::Vector3d> common_axis(const Chain& arm) {
   return common;
 }
 
+// Returns the place of the tool at zero joint angles, with each prismatic joint in the middle of its range.
+Eigen::Vector3d place_of_tool(const Robot& arm) {
+  Configuration q = Configuration::Zero(arm.chain.joints());
+  for (Eigen::Index j = 0; j < q.size(); ++j)
+    if (arm.chain.links()[static_cast<std::size_t>(j)].joint == Joint::slides)
+      q[j] = (arm.limits.lower[j] + arm.limits.upper[j]) / 2;
+  return arm.chain.forward(q).translation();
+}
+
 // Returns the plane normal to an axis: one of the base's planes if the axis is an axis of the base.
 Plane plane_normal_to(const Eigen::Vector3d& axis) {
   constexpr double nearly = 1 - 1e-12;
@@ -114,7 +123,11 @@ class Grid final : public TargetSet {
     }
     grid_.across = {plane.across.begin(), plane.across.end()};
     grid_.up = {plane.up.begin(), plane.up.end()};
-    for (const double place : ball.centre) grid_.shoulder.push_back(std::round(place * 1e9) / 1e9 + 0.0);
+    Eigen::Vector3d centre = ball.centre;
+    // Only prismatic joints leave the plane that is normal to all axes, in which they keep the tool at half their
+    // range.
+    if (axis && plane.normal.cross(*axis).norm() < 1e-6) centre += axis->dot(place_of_tool(arm) - centre) * *axis;
+    for (const double place : centre) grid_.shoulder.push_back(std::round(place * 1e9) / 1e9 + 0.0);
     grid_.reach = ball.radius;
     check_step(arm.name);
     const Eigen::Matrix3d held = axis ? arm.chain.forward(Configuration::Zero(arm.joints())).linear() : held_in(plane);
