@@ -147,7 +147,8 @@ std::string plane_text(const TargetGrid& grid) {
   const std::array<double, 3> normal{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     constexpr double nearly = 1 - 1e-9;
-    const double at = grid.shoulder[axis];
+    const bool is_in_base = std::abs(grid.shoulder[axis]) < 1e-5 * grid.reach;  // up to the digits of an arm's file
+    const double at = is_in_base ? 0 : grid.shoulder[axis];
     if (std::abs(normal[axis]) > nearly)
       return fmt::format("plane {} = {:.3g}{}", "xyz"[axis], at, at == 0 ? "" : " m");
   }

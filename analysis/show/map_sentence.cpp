@@ -109,7 +109,7 @@ std::string map_sentence(const JudgedStudy& judged, const std::vector<std::strin
     return fmt::format("Solves are missing. So far, {}. {}.", numbers_text(reached, {"reaches", "reach"}, nouns), grid);
   const std::string who = reached_text(all, reached, nouns);
   if (unsolved == 0 || unsolved == std::ssize(all.targets)) return fmt::format("{}. {}.", who, grid);
-  return fmt::format("{}. {}; {} within reach {} solved by none.", who, grid,
+  return fmt::format("{}. {}; {}, perhaps out of reach, {} solved by none.", who, grid,
                      unsolved == 1 ? "one other" : fmt::format("{} others", unsolved), unsolved == 1 ? "is" : "are");
 }
 

@@ -10,7 +10,7 @@
 namespace ikbench::show {
 
 // Returns "LM and DLS reach all 824 poses that any solver reaches; Newton misses 2 and KDL 523. Tool down, plane y = 0,
-// steps of 5 cm; 228 others within reach are solved by none." Solvers are in the order of `solvers`.
+// steps of 5 cm; 228 others, perhaps out of reach, are solved by none." Solvers are in the order of `solvers`.
 std::string map_sentence(const judge::JudgedStudy& judged, const std::vector<std::string>& solvers);
 // Returns what a page says below the table: that nothing is tested, how many targets were left out, and which solvers
 // have a limit of their own.
