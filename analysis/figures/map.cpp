@@ -98,11 +98,13 @@ MapPanel panel_of(const JudgedStudy& judged, const std::vector<MapPlace>& places
     MapCell& cell = panel.cells.emplace_back(MapCell{.across = place.across, .up = place.up, .value = nowhere});
     const std::size_t solved = solved_at(targets, place, solver);
     panel.solved += solved;
-    if (solved == 0 && lacks_solves(judged, place, solves))
+    // A solver is behind only if it was asked for all directions of the place.
+    const bool may_catch_up = solved == 0 || solved < most[i];
+    if (may_catch_up && lacks_solves(judged, place, solves))
       cell.state = MapCell::State::missing;
     else if (most[i] > 0)
       cell.state = solved < most[i] ? MapCell::State::behind : MapCell::State::solved;
-    if (solved == 0) continue;
+    if (solved == 0 || cell.state == MapCell::State::missing) continue;
     const auto point = static_cast<std::size_t>(targets.targets[place.begin].point);
     cell.value = has_directions ? static_cast<double>(solved) : evaluations[point - 1];
   }
