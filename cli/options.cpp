@@ -86,7 +86,7 @@ void add_out_option(const Command& command, std::string& out, const std::string&
 }
 
 void add_json_option(const Command& command, bool& is_json) {
-  command.add("--json", &is_json, "print the answer as JSON");
+  command.add("--json", &is_json, "print the results as JSON");
 }
 
 void show_json(const base::OrderedJson& json) { fmt::print("{}\n", base::text_of(json, 2)); }

@@ -46,9 +46,10 @@ std::vector<figures::Figure> maps_of(const std::vector<show::StudyColumn>& colum
   for (std::size_t i = 0; i < judged.size(); ++i) {
     std::optional<figures::Figure> map = figures::map_of(judged[i], figures::look_of(judged[i], style));
     if (!map) continue;
-    map->name = fmt::format("map-{}", for_file_name(columns[i].name));
-    if (!names.insert(map->name).second)
-      map->name += fmt::format("-{}", i + 1);  // the same name but for odd characters
+    const std::string name = fmt::format("map-{}", for_file_name(columns[i].name));
+    map->name = name;
+    // Names of studies may be the same but for odd characters.
+    for (int number = 2; !names.insert(map->name).second; ++number) map->name = fmt::format("{}-{}", name, number);
     map->caption = fmt::format("{}: {}", columns[i].name, map->caption);
     maps.push_back(std::move(*map));
   }

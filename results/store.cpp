@@ -315,8 +315,8 @@ struct Store::Database {
   void check_file() {
     if (fs::file_size(name) == 0 && number("PRAGMA page_count") == 0)
       throw InterruptedWrite(fmt::format(
-          "'{}' is not an ikbench store yet: it is empty, because ikbench was killed when it began; give the command "
-          "that was killed again, which continues it",
+          "'{}' is not an ikbench store yet: it is empty, because ikbench was killed when it began or its disk failed; "
+          "repeat the command that wrote it, which continues it",
           name));
     if (number("PRAGMA application_id") != application_id)
       throw std::invalid_argument(fmt::format(

@@ -105,17 +105,17 @@ std::string why_not_counted(const StudyResults& study) {
   if (const std::optional<AllAnswers> all = all_answers_of(study)) {
     const auto has = [](int count) { return count == 1 ? "has" : "have"; };
     if (all->complete) return "";
-    if (all->targets > 0) return "All answers are not counted yet. `ikbench run` with the store counts them.";
-    return fmt::format("All answers are not counted: of {}, {} {} a singular answer and {} {} no known one.",
+    if (all->targets > 0) return "The answers are not counted yet. `ikbench run` with the store counts them.";
+    return fmt::format("The answers are not counted: of {}, {} {} a singular answer and {} {} no known one.",
                        base::counted(std::int64_t{all->looked_at()}, "targets"), all->continua, has(all->continua),
                        all->unknown, has(all->unknown));
   }
   const auto arm = base::parsed_json(study.definition.arm);
   const std::size_t joints = arm.contains("links") ? arm["links"].size() : 0;
   const std::size_t freedoms = results::goal_freedoms(study.definition.search);
-  if (freedoms == 0) return "All answers are not counted: the search is not for all joints.";
+  if (freedoms == 0) return "The answers are not counted: the search is not for all joints.";
   if (joints == freedoms) return "";
-  return fmt::format("All answers are not counted: {} joints for {} freedoms have {}.", joints, freedoms,
+  return fmt::format("The answers are not counted: {} joints for {} freedoms have {}.", joints, freedoms,
                      joints > freedoms ? "infinitely many" : "no answer to most targets");
 }
 

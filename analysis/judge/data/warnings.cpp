@@ -237,7 +237,7 @@ std::vector<Warning> time_warnings(const StudyResults& study) {
   for (const std::string& solver : study.labels)
     if (reports_no_times(study.of(solver))) silent.push_back(solver);
   // If no solver reports times, all times include messages alike.
-  if (silent.size() < study.labels.size()) add_for(std::move(silent), "they include message passing");
+  if (silent.size() < study.labels.size()) add_for(std::move(silent), "the calls were timed with message passing");
   // If no solver is warm, all calls are cold alike.
   if (const auto [warm, through_pipe] = solvers_of_warm_study(study); !warm.empty())
     add_for(through_pipe, "asked through a pipe, not warm");
