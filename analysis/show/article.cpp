@@ -26,10 +26,10 @@ namespace {
 // Returns sentences as LaTeX, in which the symbols of statistics are set as such.
 std::string latex_paragraph(const std::vector<std::string>& sentences) {
   static const std::array<std::pair<std::regex, const char*>, 4> symbols{
-      {{std::regex(R"(\bp = ([0-9.]*[0-9]))"), "$$p = $1$$"},
-       {std::regex(R"(\bp \\textless\{\} ([0-9.]*[0-9]))"), "$$p < $1$$"},
+      {{std::regex(R"(\bp = ([0-9.]{0,30}[0-9]))"), "$$p = $1$$"},
+       {std::regex(R"(\bp \\textless\{\} ([0-9.]{0,30}[0-9]))"), "$$p < $1$$"},
        {std::regex(R"(\bA12 (?==|is the share))"), "$$A_{12}$$ "},
-       {std::regex(R"(\bg\\_av =)"), "$$g_{\\mathrm{av}}$$ ="}}};
+       {std::regex(R"(\bg\\_av(?= =|, Hedges))"), "$$g_{\\mathrm{av}}$$"}}};
   std::string text = latex_text(fmt::format("{}", fmt::join(sentences, " ")));
   for (const auto& [symbol, in_latex] : symbols) text = std::regex_replace(text, symbol, in_latex);
   return text;
@@ -85,7 +85,7 @@ void write_article(const Report& report, const std::vector<std::string>& tables,
   const auto& keys = report.citation_keys;
   write("methods.tex", fmt::format("{}{} {}\n", latex_paragraph(methods_sentences(report)),
                                    keys.empty() ? ""
-                                                : fmt::format(" The solvers and the arm are described in~\\cite{{{}}}.",
+                                                : fmt::format(" Solvers and the arm are described in~\\cite{{{}}}.",
                                                               fmt::join(keys, ",")),
                                    latex_text(methods_bracket(report, program))));
   write("results.tex", fmt::format("{}{}{}\n", lead_paragraph(report),

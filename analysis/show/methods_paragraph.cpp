@@ -127,6 +127,41 @@ std::string time_sentence(const Report& report) {
   return fmt::format("Times are wall-clock times of single calls{}.", calls.empty() ? "" : fmt::format(" ({})", calls));
 }
 
+// Returns the solvers of which at least one solve fulfils a condition, as in sentences; without the imported ones.
+std::vector<std::string> solvers_where(const StudyResults& study, const auto& is_such) {
+  std::vector<std::string> solvers;
+  for (const std::string& solver : study.labels)
+    if (!study.imported.has(solver) && std::ranges::any_of(study.of(solver), is_such))
+      solvers.push_back(name_in_sentence(solver));
+  return solvers;
+}
+
+// Returns a sentence for each kind of solver that was not measured as the others were.
+std::vector<std::string> exception_sentences(const StudyResults& study) {
+  std::vector<std::string> sentences;
+  const auto is_elsewhere = [](const SolveSummary& solve) { return solve.timing == results::Timing::elsewhere; };
+  const auto is_self_timed = [](const SolveSummary& solve) { return solve.is_self_timed; };
+  const auto is_uncounted = [&](const SolveSummary& solve) {
+    return !is_elsewhere(solve) && solve.counted_by != results::CountedBy::ikbench;
+  };
+  if (const auto solvers = solvers_where(study, is_elsewhere); !solvers.empty())
+    sentences.push_back(fmt::format(
+        "The answers of {} were made elsewhere and read from a file, so that the limits of the study did not stop {}.",
+        enumerated(solvers), solvers.size() == 1 ? "it" : "them"));
+  if (const auto solvers = solvers_where(study, is_uncounted); !solvers.empty())
+    sentences.push_back(fmt::format("The evaluations of {} could not be counted, so that {} stopped by {} own rules.",
+                                    enumerated(solvers), solvers.size() == 1 ? "it" : "they",
+                                    solvers.size() == 1 ? "its" : "their"));
+  if (const auto solvers = solvers_where(study, is_self_timed); !solvers.empty())
+    sentences.push_back(fmt::format("The times of {} are self-reported.", enumerated(solvers)));
+  std::vector<std::string> imported;
+  for (const std::string& solver : study.imported.labels) imported.push_back(name_in_sentence(solver));
+  if (!imported.empty())
+    sentences.push_back(fmt::format("The solves of {} were made {}, and their times are not compared.",
+                                    enumerated(imported), study.imported.origin));
+  return sentences;
+}
+
 std::string cost_sentence(const ReportModel& model) {
   const auto is_cost = [](const JudgedMetric& judged) { return is_cost_per_success(judged.samples); };
   if (std::ranges::none_of(model.metrics, is_cost)) return "";
@@ -189,17 +224,22 @@ std::vector<std::string> correction_sentences(const ReportModel& model) {
                          method);
   found += '.';
   if (!has_intervals) return {found};
+  const std::string brackets =
+      fmt::format("Square brackets are {} % confidence intervals", number_text(100 * (1 - plan.significance)));
+  // Values that may be negative have no margin by default.
+  if (plan.margin <= 0 && model.primary().samples.absolute_margin <= 0) return {found, brackets + '.'};
   const bool has_shares = is_success_rate(model.primary()) && model.metrics.size() > 1;
   const std::string others = has_shares ? fmt::format(" ({} % in other metrics)", number_text(100 * plan.margin)) : "";
-  return {found,
-          fmt::format("Square brackets are {} % confidence intervals, and two {} are equivalent if the interval of "
-                      "their difference lies within {}{}.",
-                      number_text(100 * (1 - plan.significance)), noun, margin_text(model.primary()), others)};
+  return {found, fmt::format("{}, and two {} are equivalent if the interval of their difference lies within {}{}.",
+                             brackets, noun, margin_text(model.primary()), others)};
 }
 
-// Returns the sentence on the effect sizes in the paragraph of results.
-std::string effect_size_sentence(const ReportModel& model) {
-  std::string sentence;
+// Returns a sentence on each effect size in the paragraph of results.
+std::vector<std::string> effect_size_sentences(const ReportModel& model) {
+  std::vector<std::string> sentences;
+  const auto add = [&](const std::string& sentence) {
+    if (std::ranges::count(sentences, sentence) == 0) sentences.push_back(sentence);
+  };
   for (const JudgedMetric& judged : model.metrics) {
     if (!model.is_in_headline(judged)) continue;
     const bool is_paired = judged.samples.is_paired;
@@ -207,13 +247,14 @@ std::string effect_size_sentence(const ReportModel& model) {
       const auto* const tested = std::get_if<TestResult>(&comparison.result);
       if (tested == nullptr) continue;
       if (tested->hedges_g)
-        sentence = is_paired ? "The effect size is g_av, Hedges' g of paired values." : "The effect size is Hedges' g.";
+        add(is_paired ? "The effect size of means is g_av, Hedges' g of paired values."
+                      : "The effect size of means is Hedges' g.");
       else if (shows_a12(*tested, judged))
-        sentence = fmt::format("A12 is the share of {} in which the first is better, with equal ones counted half.",
-                               is_paired ? model.noun : "pairs of values");
+        add(fmt::format("A12 is the share of {} in which the first is better, with equal ones counted half.",
+                        is_paired ? model.noun : "pairs of values"));
     }
   }
-  return sentence;
+  return sentences;
 }
 
 // Returns the sentence on the settings in which the study differs from the published one; few are named.
@@ -241,6 +282,7 @@ std::vector<std::string> study_sentences_of(const Report& report) {
       limits_sentence(definition),
       time_sentence(report),
       cost_sentence(report.model)};
+  std::ranges::move(exception_sentences(report.study), std::back_inserter(sentences));
   const std::set<std::string> jobs = environment_values(report.study, "jobs");
   if (!jobs.empty() && jobs != std::set<std::string>{"1"}) sentences.emplace_back("Several solves ran at a time.");
   return sentences;
@@ -277,7 +319,7 @@ std::vector<std::string> methods_sentences(const Report& report) {
   if (const std::string tests = tests_sentence(report.model); !tests.empty()) {
     sentences.push_back(tests);
     std::ranges::move(correction_sentences(report.model), std::back_inserter(sentences));
-    sentences.push_back(effect_size_sentence(report.model));
+    std::ranges::move(effect_size_sentences(report.model), std::back_inserter(sentences));
   }
   if (!is_of_file) {
     sentences.push_back(fmt::format("All random numbers follow from the seed {}.", report.study.definition.seed));

@@ -81,9 +81,12 @@ std::string solved_sentence(const ReportModel& model, const JudgedMetric& judged
   std::string text = as_sentence(fmt::format("{}{} were solved by {}", limit, share, who));
   const std::size_t others = averages.size() - firsts.size();
   if (others == 0) return text + '.';
-  if (others > max_averages)
-    return fmt::format("{}, and {} to {}{} by the {} others.", text, by_text.back().first, by_text[1].first, unit,
-                       number_word(others));
+  if (others > max_averages) {
+    const std::string low = by_text.back().first, high = by_text[1].first + unit;
+    return by_text.size() == 2
+               ? fmt::format("{}, and {} by each of the {} others.", text, high, number_word(others))
+               : fmt::format("{}, and {} to {} by the {} others.", text, low, high, number_word(others));
+  }
   for (auto group = by_text.begin() + 1; group != by_text.end(); ++group) {
     const bool is_last = group + 1 == by_text.end();
     text += fmt::format(", {}{}{} by {}", is_last ? "and " : "", group->first, unit, enumerated(group->second));
@@ -107,9 +110,12 @@ std::string average_sentence(const ReportModel& model, const JudgedMetric& judge
     std::ranges::transform(averages, std::back_inserter(texts), with);
     return fmt::format("{} {}.", subject, enumerated(texts));
   }
-  return fmt::format("{} {} with {} and {} to {} with the {} others.", subject,
-                     with_unit(averages.front().text, samples.unit), averages.front().solver, averages[1].text,
-                     with_unit(averages.back().text, samples.unit), number_word(averages.size() - 1));
+  const std::string low = averages[1].text, high = averages.back().text;
+  const std::string others = number_word(averages.size() - 1);
+  const std::string of_others =
+      low == high ? fmt::format("{} with each of the {} others", with_unit(high, samples.unit), others)
+                  : fmt::format("{} to {} with the {} others", low, with_unit(high, samples.unit), others);
+  return fmt::format("{} {} and {}.", subject, with(averages.front()), of_others);
 }
 
 // Returns whether no solver of a study solved a target.
@@ -216,19 +222,32 @@ std::string related(const Pairs& pairs, const Relation& relation, const auto& de
 // Returns the smallest and the largest of what the pairs have: "ratios of 0.1 to 0.3 and p of at most 0.001".
 std::string range_text(const Pairs& pairs, const JudgedMetric& judged) {
   std::vector<double> estimates;
+  std::set<double> ends;
   double largest_p = 0;
+  std::size_t below_margin = 0;
   for (const Comparison& pair : pairs) {
     if (pair.estimate) estimates.push_back(pair.estimate->value);
-    if (const auto* const tested = std::get_if<TestResult>(&pair.result))
-      largest_p = std::max(largest_p, tested->adjusted_p);
+    ends.merge(null_and_margin(pair, judged));
+    const auto* const tested = std::get_if<TestResult>(&pair.result);
+    if (tested == nullptr) continue;
+    largest_p = std::max(largest_p, tested->adjusted_p);
+    if (is_difference(tested->verdict) && tested->is_below_margin) ++below_margin;
   }
   const std::string p = p_text(largest_p, {judged.plan.significance});
   const std::string p_clause = p[0] == '<' ? "p " + p : "p of at most " + p;
   if (estimates.empty()) return p_clause;
-  const auto [low, high] = std::ranges::minmax(estimates);
+  const auto [smallest, largest] = std::ranges::minmax(estimates);
   const bool are_ratios = estimates_ratio(pairs.front());
-  return fmt::format("{} of {} to {} and {}", are_ratios ? "ratios" : "differences", number_text(low),
-                     with_unit(number_text(high), are_ratios ? "" : estimate_unit(pairs.front(), judged)), p_clause);
+  const Boundaries boundaries{ends.begin(), ends.end()};
+  const std::string low = exact_text(smallest, boundaries), high = exact_text(largest, boundaries);
+  const std::string unit = are_ratios ? "" : estimate_unit(pairs.front(), judged);
+  std::string text = fmt::format("{} of {}{} and {}", are_ratios ? "ratios" : "differences",
+                                 low == high ? "" : low + " to ", with_unit(high, unit), p_clause);
+  if (below_margin == pairs.size())
+    text += ", each less than " + margin_text(judged);
+  else if (below_margin > 0)
+    text += fmt::format(", {} of them less than {}", below_margin, margin_text(judged));
+  return text;
 }
 
 // Returns "A was better than five others", "Five others were better than A", or, if the pairs have no solver in common,
@@ -379,7 +398,8 @@ std::string pairs_predicate(const ReportModel& model) {
   const std::size_t shown = pairs_table(model).visible_rows;
   if (shown == 0 || untested == all) return "";
   if (shown < all) return fmt::format("has the {} comparisons with {}", shown, reference_of(model));
-  return all == 1 ? "has this comparison" : fmt::format("has all {} comparisons", all);
+  if (all == 1) return "has this comparison";
+  return all == 2 ? "has both comparisons" : fmt::format("has all {} comparisons", all);
 }
 
 }  // namespace ikbench::show

@@ -15,7 +15,7 @@ constexpr std::size_t max_result_sentences = 7;  // beside the one that names th
 // Returns at most max_result_sentences sentences: the averages of the first metric, then the pairs that the headline
 // names, with estimate, interval, effect size and p, at most four in a sentence.
 std::vector<std::string> results_sentences(const ReportModel& model);
-// Returns the predicate of the sentence on the table of pairs: "has each of the 28 comparisons". Empty if no pair was
+// Returns the predicate of the sentence on the table of pairs: "has all 28 comparisons". Empty if no pair was
 // compared.
 std::string pairs_predicate(const ReportModel& model);
 

@@ -81,9 +81,10 @@ std::string latex_text(std::string_view text) {
                                                     {'[', "{[}"},
                                                     {']', "{]}"},
                                                     {'*', "{*}"}}};  // after \\ it would be an argument
-  // TeX would set an opening quote as a closing one, and a minus sign as a hyphen.
+  // TeX would set an opening quote as a closing one, and a minus sign as a hyphen. Repetitions are bounded, because
+  // std::regex calls itself for each character that it repeats.
   static const std::regex quote("(^|[ (])'(?=[^ ])"), quotes("(^|[ (])''(?=[^ ])"),
-      power("(^|[ (}])(-?[0-9.]+)e[+]?(-?)0*([0-9]+)(?=$|[ ),;{])"), sign("(^|[ (}])-(?=[0-9])");
+      power("(^|[ (}])(-?[0-9.]{1,30})e[+]?(-?)0{0,3}([0-9]{1,3})(?=$|[ ),;{])"), sign("(^|[ (}])-(?=[0-9])");
   std::string result = std::regex_replace(replaced(text, substitutes, "{}$&#_%"), quotes, "$1``");
   result = std::regex_replace(result, quote, "$1`");
   result = std::regex_replace(result, power, "$1$$$2 \\times 10^{$3$4}$$");

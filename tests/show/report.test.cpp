@@ -164,6 +164,17 @@ std::vector<std::pair<std::string, Report>> reports_with_paragraphs() {
   add("ten", report_of(errors_of(10)));
   add("seventeen", report_of(errors_of(17)));
   add("ten, with a control", report_of(errors_of(10), {.control = "S4"}));
+  std::vector<std::pair<std::string, std::vector<double>>> alike{{"S0", solved(20)}};
+  for (int i = 1; i < 10; ++i) alike.emplace_back(fmt::format("S{}", i), solved(0));
+  add("nine that are alike", study_of({judged(shares(alike))}));
+  Report elsewhere =
+      study_of({judged(shares({{"LM", solved(20)}, {"mine", solved(12)}, {"KDL", solved(12)}, {"EAIK", solved(19)}}))});
+  elsewhere.study.solves = {{.label = 0},
+                            {.label = 1, .timing = results::Timing::elsewhere, .is_self_timed = true},
+                            {.label = 2, .counted_by = results::CountedBy::none},
+                            {.label = 3, .timing = results::Timing::process}};
+  elsewhere.study.imported = {.origin = "on another machine, 11/2026", .labels = {"EAIK"}};
+  add("answers of a file, uncounted evaluations, and solves of another machine", elsewhere);
   judge::MetricSamples few = errors_of(6);
   for (judge::Group& group : few.groups) std::get<judge::Sample>(group.sample).values.resize(7);
   add("few blocks", report_of(few));
