@@ -51,8 +51,8 @@ struct StudyInStore {
   StudyInStore(const std::string& file, const std::string& name)
       : store(file, results::Store::Mode::read), entry(store.study(name)) {
     if (entry.definition.is_grid())
-      throw std::invalid_argument(fmt::format("{}: {}; see two maps side by side with `ikbench report A B`", entry.name,
-                                              results::grid_is_no_sample));
+      throw std::invalid_argument(fmt::format("{}: {}; `{}` draws its map", entry.name, results::grid_is_no_sample,
+                                              shell_command("ikbench", {"report", file})));
   }
 
   std::vector<std::string> labels() const { return labels_of(entry); }
