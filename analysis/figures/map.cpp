@@ -208,13 +208,18 @@ double map_width_cm(std::size_t panels, const results::FigureStyle& style) {
   return panels == 2 ? narrow_cm : 17.5;
 }
 
-MapLayout layout_of(std::size_t panels, double width_cm, double legend_cm, double text_pt) {
+// Returns the largest panels that the width of the figure and the height of the style leave room for.
+MapLayout layout_of(std::size_t panels, double width_cm, double legend_cm, const results::FigureStyle& style) {
+  const double paper_scale = 8 / style.text_pt;
   const std::size_t columns = std::min<std::size_t>(panels, width_cm < narrow_cm ? 2 : 4);
-  const double room_cm = width_cm * 8 / text_pt - left_cm - right_cm - between_cm * static_cast<double>(columns - 1);
-  return {.columns = columns,
-          .rows = (panels + columns - 1) / columns,
-          .panel_cm = std::max(1.0, room_cm / static_cast<double>(columns)),
-          .legend_cm = legend_cm};
+  MapLayout layout{.columns = columns, .rows = (panels + columns - 1) / columns, .panel_cm = 0, .legend_cm = legend_cm};
+  const double across_cm = width_cm * paper_scale - left_cm - right_cm - between_cm * static_cast<double>(columns - 1);
+  double panel_cm = across_cm / static_cast<double>(columns);
+  if (style.height_cm > 0)
+    panel_cm =
+        std::min(panel_cm, (style.height_cm * paper_scale - layout.height_cm()) / static_cast<double>(layout.rows));
+  layout.panel_cm = std::max(1.0, panel_cm);
+  return layout;
 }
 
 // Returns the height of a row of the legend above the bottom of the figure. Row 0 is the lowest.
@@ -266,14 +271,16 @@ double legend_cm_of(const MapKinds& kinds) {
 
 // Returns the settings of the bar of colours, which is drawn with the first panel that has values.
 std::string bar_of(const MapLayout& layout, double legend_cm, bool has_directions) {
-  constexpr double height_cm = 0.25;
-  const double width_cm = std::min(4.5, layout.panel_cm * static_cast<double>(layout.columns));
+  constexpr double height_cm = 0.25, place_cm = 1.65;
+  const double words_cm = has_directions ? 3.4 : 1.8;
+  const double panels_cm = (layout.panel_cm + between_cm) * static_cast<double>(layout.columns) - between_cm;
+  const double width_cm = std::clamp(left_cm + panels_cm + right_cm - place_cm - words_cm, 1.5, 4.5);
   return fmt::format(
       "set colorbox horizontal user origin screen margin(1.45), screen up({0}) size screen margin({1}), screen up({2})\n"
       "set cbtics scale 0.4 offset 0, 0.4 textcolor rgb ink\n"
       "set label '{3}' at screen margin({4}), screen up({5}) left tc rgb ink\n",
       text_of(legend_cm - 0.45), text_of(width_cm), text_of(height_cm),
-      has_directions ? "tool directions solved" : "evaluations", text_of(1.65 + width_cm),
+      has_directions ? "tool directions solved" : "evaluations", text_of(place_cm + width_cm),
       text_of(legend_cm - 0.45 + height_cm / 2));
 }
 
@@ -471,7 +478,7 @@ std::optional<Figure> map_of(const JudgedStudy& judged, const Look& look) {
   figure.caption = caption_of(judged, kinds) + left_out;
   figure.width_cm = map_width_cm(panels.size(), look.style);
   const double legend_cm = legend_cm_of(kinds);
-  const MapLayout layout = layout_of(panels.size(), figure.width_cm, legend_cm, look.style.text_pt);
+  const MapLayout layout = layout_of(panels.size(), figure.width_cm, legend_cm, look.style);
   figure.height_cm = layout.height_cm();
   figure.sides_cm = 0;  // the panels take all of the width
   figure.is_dense = panels.size() * panels.front().cells.size() > most_svg_cells;
