@@ -4,7 +4,8 @@
 #   STUDY=my.toml BASELINE=old.sqlite cli/gate.sh
 #
 # STUDY        the study
-# BASELINE     the store to compare with; if it is missing, the gate passes, and says which store to keep
+# BASELINE     the store to compare with; if it is missing, the gate passes, and says which store to keep. Without the name
+#              of one, [require] of the study decides alone
 # REQUIRE      shares that your own solvers must reach, one per line, such as solved=95%; default: [require] of the study.
 #              An inconclusive one fails. With REQUIRE, no BASELINE is needed
 # OLD          an older ikbench, in place of BASELINE: both solve the study in turn, so that times decide, too
@@ -80,9 +81,12 @@ end_by_requirements() {
     *) ended inconclusive 4 ;;
   esac
 }
+# Whether the study has a [require].
+has_requirements() { grep -q '"requirements": \[$' < <("${judge[@]}" --json 2>/dev/null); }
 [[ -n $baseline || -z ${REQUIRE:-} ]] || end_by_requirements passed
 [[ -n $baseline ]] || {
-  echo "Nothing was compared: set REQUIRE=solved=95%, OLD, or BASELINE, such as a copy of $out/store.sqlite. A [require] of the study decides alone."
+  ! has_requirements || end_by_requirements passed
+  echo "Nothing was compared: set REQUIRE=solved=95%, OLD, or BASELINE, such as a copy of $out/store.sqlite."
   end_by_requirements no-baseline
 }
 [[ -e $baseline || -L $baseline ]] || { echo "There is no baseline yet; keep $out/store.sqlite as $baseline."; end_by_requirements no-baseline; }

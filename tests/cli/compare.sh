@@ -104,6 +104,11 @@ sed 's/^evaluations = .*/evaluations = 8/' gate.toml >few.toml
 gate 3 unmet BASELINE= STUDY=few.toml OUT=few REQUIRE='solved=99%'
 sed '/^\[stop\]/i [require]\nsolved = "99%"' few.toml >own.toml
 gate 3 unmet BASELINE=nowhere.sqlite STUDY=own.toml OUT=own
+sed '/^\[stop\]/i [require]\nsolved = "50%"' gate.toml >met.toml
+gate 0 passed BASELINE= STUDY=met.toml OUT=met
+has "$(<.out)" "at least 50 %"
+[[ $(<.out) != *"Nothing was compared"* ]] || fail "a met requirement that counts for nothing: $(<.out)"
+gate 0 no-baseline BASELINE= OUT=alone
 for file in few own; do
   sed 's/^process = .*/process = ["python3", "dies.py"]/' $file.toml >$file-dead.toml
 done
