@@ -384,23 +384,21 @@ std::size_t first_with_values(const std::vector<MapPanel>& panels) {
 // Returns the numbers by which the page says what is below the pointer: the part of the picture that each panel takes,
 // from its lower left corner, as shares of the picture's width; the part of the plane [m]; the places with their
 // targets; and the value of each place in each panel, -1 where a solved target has no value, 0 where none is solved,
-// and null where the solver has not solved it yet. Returns an empty text where the style changes the size of text with
-// the height of the picture.
-std::string pointer_of(const JudgedStudy& judged, const std::vector<MapPanel>& panels, const MapLayout& layout,
-                       const results::FigureStyle& style, double width_cm) {
-  if (style.height_cm > 0) return {};
+// and null where the solver has not solved it yet. `scale` is the share of the picture's width that 1 cm of the layout
+// takes.
+std::string pointer_of(const JudgedStudy& judged, const std::vector<MapPanel>& panels, const MapKinds& kinds,
+                       const MapLayout& layout, double scale) {
   const TargetGrid& grid = judged.study.definition.grid;
   const MapRange range = range_of(grid);
-  const double scale = style.text_pt / 8 / width_cm;
-  base::Json pointer = {
-      {"axes", {axis_name(grid.across, "across"), axis_name(grid.up, "up")}},
-      {"low", {range.x - range.side, range.y - range.side}},
-      {"side", 2 * range.side},
-      {"step", grid.step},
-      {"directions", grid.directions},
-      {"blank", lacks_targets(judged) ? "certainly out of reach, or not solved yet" : "certainly out of reach"},
-      {"places", base::Json::array()},
-      {"panels", base::Json::array()}};
+  base::Json pointer = {{"axes", {axis_name(grid.across, "across"), axis_name(grid.up, "up")}},
+                        {"low", {range.x - range.side, range.y - range.side}},
+                        {"side", 2 * range.side},
+                        {"step", grid.step},
+                        {"directions", grid.directions},
+                        {"reach", grid.reach},
+                        {"blank", kinds.blank_words()},
+                        {"places", base::Json::array()},
+                        {"panels", base::Json::array()}};
   const auto rounded = [](double length) { return std::round(length * 1e5) / 1e5; };
   for (const MapPlace& place : places_of(judged))
     pointer["places"].push_back({rounded(place.across), rounded(place.up), judged.targets.targets[place.begin].point});
@@ -482,7 +480,8 @@ std::optional<Figure> map_of(const JudgedStudy& judged, const Look& look) {
   figure.height_cm = layout.height_cm();
   figure.sides_cm = 0;  // the panels take all of the width
   figure.is_dense = panels.size() * panels.front().cells.size() > most_svg_cells;
-  figure.pointer = pointer_of(judged, panels, layout, look.style, figure.width_cm);
+  if (look.style.height_cm == 0)  // otherwise the size of text changes with the height of the picture
+    figure.pointer = pointer_of(judged, panels, kinds, layout, look.style.text_pt / 8 / figure.width_cm);
   figure.data = data_of(panels);
   figure.settings =
       "uncounted = '#56B4E9'\nunsolved = dark ? faint : '#E8E8E8'\n" + colours_of(kinds, grid) + axes_of(grid, layout);

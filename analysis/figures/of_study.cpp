@@ -237,7 +237,7 @@ std::optional<Figure> targets(const JudgedStudy& judged, const Look& look) {
 
 // The figures of a study, in the order of the report.
 constexpr KindOfFigure all_kinds[]{
-    {"map", "of a grid of targets: where each solver solves them", map_of},
+    {"map", "if the targets are a grid: where each solver solves them", map_of},
     {"overview", "position error against joint motion",
      [](auto& judged, auto& look) { return overview_of(judged, look, [](Dot&) {}); }},
     {"error-boxes", "position error of each solver",

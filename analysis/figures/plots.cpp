@@ -314,11 +314,13 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
                                     all[i].style));
   }
   figure.settings += axis.settings + y.settings;
-  if (is_dashed)
+  if (is_dashed) {
+    const bool is_near_edge = axis.share_of(dashed) > 0.7;  // beyond which names of lines stand
     figure.settings += fmt::format(
         "set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 dt 2 {1}\n"
-        "set label 'tolerance' at {0}, graph 1 left offset 0, 0.3 tc rgb ink\n",
-        text_of(dashed), grey);
+        "set label 'tolerance' at {0}, graph 1 {2} offset 0, 0.3 tc rgb ink\n",
+        text_of(dashed), grey, is_near_edge ? "right" : "left");
+  }
   add_names(figure, ends);
   figure.plot = plotted(clauses);
   return figure;

@@ -85,6 +85,20 @@ TEST_CASE("a map of a part of a study says which cells are not solved yet", "[fi
   const Figure whole = map_of(judged, plain_look(judged)).value();
   CHECK_THAT(whole.plot, ContainsSubstring("'certainly out of reach'") && !ContainsSubstring("not solved yet"));
   CHECK_THAT(whole.caption, !ContainsSubstring("missing"));
+  CHECK_THAT(whole.pointer, ContainsSubstring(R"("blank":"certainly out of reach")"));
+  judged.study.definition.grid.left_out = 0;
+  judged.study.definition.points = 9;
+  const Figure unasked = map_of(judged, plain_look(judged)).value();
+  CHECK_THAT(unasked.plot, ContainsSubstring("'not solved yet'"));
+  CHECK_THAT(unasked.pointer, ContainsSubstring(R"("blank":"not solved yet")"));
+}
+
+TEST_CASE("a place where a solver was asked for some directions has no cross", "[figures]") {
+  const judge::JudgedStudy judged = row_study({{"LM", {5, 5, 5, 5}}, {"DLS", {5, 5, 5}}}, 2);
+  const std::vector<MapPanel> panels = map_panels(judged, plain_look(judged));
+  REQUIRE((panels.size() == 2 && panels[1].cells.size() == 2));
+  CHECK(panels[1].cells[0].state == MapCell::State::solved);
+  CHECK(panels[1].cells[1].state == MapCell::State::missing);
 }
 
 TEST_CASE("with several directions a cell of a map counts those that are solved", "[figures]") {

@@ -108,6 +108,14 @@ TEST_CASE("a figure without a mark is none", "[plots]") {
   CHECK_FALSE(joints(about, {{{.label = "A"}}, {{"joint 1"}}}));
 }
 
+TEST_CASE("the word at the dashed line stays clear of the names beside the right edge", "[plots]") {
+  const auto settings_of = [](std::vector<double> errors) {
+    return shares(error_in("a"), "solved", {{"A", 1, errors, 4}, {"B", 2, errors, 4}}, 2).value().settings;
+  };
+  CHECK(contains(settings_of({0.01, 0.02, 2}), "'tolerance' at 2, graph 1 right"));
+  CHECK(contains(settings_of({1, 20, 1000}), "'tolerance' at 2, graph 1 left"));
+}
+
 TEST_CASE("seven lines are drawn, their names in order and none above another", "[plots]") {
   std::vector<Line> lines;
   for (int i = 0; i < 10; ++i)

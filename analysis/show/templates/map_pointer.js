@@ -26,7 +26,11 @@
       const across = map.low[0] + (x - panel.left) / panel.size * map.side, up = map.low[1] + (y - panel.below) / panel.size * map.side;
       const index = places.get(cell(across, up));
       const where = ([along, above]) => `${map.axes[0]} = ${along.toFixed(3)} m, ${map.axes[1]} = ${above.toFixed(3)} m`;
-      if (index === undefined) return `${where([across, up])}: no target; ${map.blank}.`;
+      if (index === undefined) {
+        const isBeyond = Math.hypot(across - map.low[0] - map.side / 2, up - map.low[1] - map.side / 2) > map.reach;
+        const why = isBeyond ? 'certainly out of reach' : map.blank;
+        return `${where([across, up])}: no target${why ? `; ${why}` : ''}.`;
+      }
       const target = map.places[index];
       return `${where(target)}, target ${target[2]}: ${panel.label} ${result(panel.values[index])}. ${
         map.panels.filter(each => each !== panel).map(each => `${each.label} ${result(each.values[index])}.`).join(' ')}`;
