@@ -98,6 +98,18 @@ Study study_of_store(const StudyToRun& arguments, const Overrides& swept) {
   return study;
 }
 
+// Says why a grid has no requirement, with a command that asks for the share on random targets of the same arm.
+[[noreturn]] void refuse_requirement_of_grid(const Study& study, const results::Requirement& wanted) {
+  std::vector<std::string> arguments{"run", "--robot", study.robot};
+  if (!study.urdf.base.empty()) arguments.insert(arguments.end(), {"--base", study.urdf.base});
+  if (!study.urdf.tip.empty()) arguments.insert(arguments.end(), {"--tip", study.urdf.tip});
+  const results::Requirement of_all{.metric = "solved",
+                                    .share = wanted.share};  // other targets may lack the label and a deadline
+  arguments.insert(arguments.end(), {"--require", of_all.text()});
+  throw std::invalid_argument(fmt::format("--require: {}; `{}` asks for it on random targets",
+                                          results::grid_is_no_sample, shell_command("ikbench", arguments)));
+}
+
 // Returns the study, or with `swept` a study of a sweep over keys of the study.
 Study study_of(const StudyToRun& arguments, const experiments::SweptStudy& swept = {}) {
   refuse_as_arm(arguments.robot);
@@ -131,8 +143,7 @@ Study study_of(const StudyToRun& arguments, const experiments::SweptStudy& swept
   static_cast<void>(apply_style({study.figures}, labels_of(study), arguments.report));
   refuse_wrong_requirements(arguments.report, study, labels_in_file(study));
   if (study.path->grid() != nullptr && !arguments.report.requirements.empty())
-    throw std::invalid_argument(
-        "--require: " + grid_has_no_requirement(study.robot, parse_requirement(arguments.report.requirements.front())));
+    refuse_requirement_of_grid(study, parse_requirement(arguments.report.requirements.front()));
   const std::vector<judge::Metric> metrics = judge::metrics_of(study);
   if (!study.plan.metric.empty()) static_cast<void>(judge::metric_named(study.plan.metric, metrics));
   return study;

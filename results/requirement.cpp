@@ -29,13 +29,6 @@ std::string Requirement::text() const {
   return fmt::format("{}{}{}={}%", solver, solver.empty() ? "" : ".", metric, 100 * share);
 }
 
-std::string grid_has_no_requirement(std::string_view robot, const Requirement& wanted) {
-  const Requirement of_all{.metric = "solved",
-                           .share = wanted.share};  // other targets may lack the label and a deadline
-  return fmt::format("{}; `ikbench run --robot {} --require {}` asks for it on random targets", grid_is_no_sample,
-                     robot, of_all.text());
-}
-
 Requirement parse_requirement(std::string_view text) {
   const auto refuse = [&](const std::string& reason) {
     throw std::invalid_argument(fmt::format("{}: {}; expected such as solved=95%, or LABEL.solved=95% for one solver",

@@ -21,9 +21,6 @@ struct Requirement {
   std::string text() const;  // "solved=95%" or "mine.solved=95%", as parse_requirement reads it
 };
 
-// Returns why a grid of this arm has no requirement, with a command that asks for the share on random targets.
-std::string grid_has_no_requirement(std::string_view robot, const Requirement& wanted);
-
 // Reads "solved=95%" or "LABEL.solved=95%"; the label may have dots and blanks. Throws std::invalid_argument if the
 // text has another form, names another metric than a share, or a share that no number of targets can show.
 Requirement parse_requirement(std::string_view text);

@@ -74,8 +74,8 @@ std::vector<RequirementCheck> check_requirements(const JudgedStudy& judged,
   const std::vector<std::string>& labels = judged.study.labels;
   std::vector<RequirementCheck> checks;
   if (judged.study.definition.is_grid() && !requirements.empty())
-    throw std::invalid_argument("--require: " +
-                                results::grid_has_no_requirement(judged.study.definition.robot, requirements.front()));
+    throw std::invalid_argument(
+        fmt::format("--require: {}; a study of random targets can have it", results::grid_is_no_sample));
   for (const results::Requirement& requirement : requirements) {
     const JudgedMetric& metric = share_named(judged, requirement.metric);
     std::vector<std::string> solvers = own_solvers.empty() ? labels : own_solvers;

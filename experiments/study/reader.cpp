@@ -351,8 +351,8 @@ void convert_initial(const TomlReader& reader, Study& study, const Robot& arm) {
 void read_requirements(const TomlReader& require, Study& study) {
   study.requirements = results::for_swept_labels(results::read_requirements(require), labels_in_file(study));
   if (study.path->grid() != nullptr && !study.requirements.empty())
-    throw std::invalid_argument("[require]: " +
-                                results::grid_has_no_requirement(study.robot, study.requirements.front()));
+    throw std::invalid_argument(
+        fmt::format("[require]: {}; a study of random targets can have it", results::grid_is_no_sample));
   for (const results::Requirement& requirement : study.requirements) {
     const std::string lack = results::lack_of_share(study, requirement.metric);
     if (!lack.empty()) throw require.mistake(requirement.metric, lack);

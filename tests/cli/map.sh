@@ -23,6 +23,9 @@ refused "no random sample" run map --robot ur5e "${coarse[@]}" --require LM.solv
 asked="$(grep -o '`ikbench [^`]*`' <<<"${err//$'\n'/ }" | tr -d '`' | tr -s ' ')"
 equal "the command for random targets" "$asked" "ikbench run --robot ur5e --require solved=50%"
 succeeds ${asked#ikbench } --only LM --figures none --out random
+mkdir -p "my arms"
+cp "$root/tests/data/urdf/ur5e.urdf" "my arms/arm.urdf"
+refused "'my arms/arm.urdf' --tip TIP --require solved=50%" run map --robot "my arms/arm.urdf" --tip TIP --require solved=50%
 refused "step_cm = " run map --robot ur5e --set path.step_cm=0.1 --out fine
 
 succeeds run map --robot ur5e "${coarse[@]}" --shard 1/2 --out one
