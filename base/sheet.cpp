@@ -337,8 +337,7 @@ double Sheet::number(std::size_t row, std::size_t column) {
                        decimals_[column] == ',' ? "comma" : "point"));
   if (const std::string advice = value ? "" : advice_on_unit(text, titles_[column]); !advice.empty())
     refuse(row, column, advice);
-  if (!value)
-    refuse(row, column, "is not a number; write NA for a missing value, inf for no answer, and units in the header");
+  if (!value) refuse(row, column, "is not a number; " + advice_on_numbers_);
   const double size = std::abs(*value);  // tests compute squares of squares
   if (std::isfinite(size) && size != 0 && (size < 1e-60 || size > 1e60))
     refuse(row, column, "is out of range; expected 1e-60 to 1e60");

@@ -63,6 +63,9 @@ class Sheet {
   // throws std::invalid_argument.
   double number(std::size_t row, std::size_t column);
 
+  // Says what to write in place of a cell that is no number: of files that know missing values otherwise than `stats`.
+  void advise_on_numbers(std::string_view advice) { advice_on_numbers_ = advice; }
+
   // Refuses a column of which all cells are a number with its unit or spread: "42.6 %", "1.06 ms", "1.2 ± 0.1".
   void refuse_units(std::size_t column) const;
 
@@ -72,6 +75,7 @@ class Sheet {
 
  private:
   std::string source_;
+  std::string advice_on_numbers_ = "write NA for a missing value, inf for no answer, and units in the header";
   char separator_, decimal_;
   CsvTable table_;
   std::vector<std::string> titles_;

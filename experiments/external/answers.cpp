@@ -199,6 +199,7 @@ RowRange GivenAnswers::of(int run, int point) const {
 
 GivenAnswers answers_in(std::string_view text, const std::string& name, const Robot& arm) {
   base::Sheet sheet(text, name, 0, base::Sheet::Header::required, max_answer_bytes);
+  sheet.advise_on_numbers("leave out the row of a target without an answer");
   const AnswerColumns columns(sheet, arm);
   GivenAnswers answers{.file = name,
                        .digest = digest_of_answer_text(text),

@@ -279,6 +279,7 @@ class CsvPath final : public Poses {
 
 std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file, const std::vector<std::string>& names) {
   Sheet sheet(text, file, 0, Sheet::Header::optional);
+  sheet.advise_on_numbers("each pose needs all its numbers");
   if (sheet.rows().size() > max_rows) sheet.refuse(fmt::format("expected at most {} poses", max_rows));
   PoseColumns columns(sheet, names);
   std::vector<Pose> poses;
