@@ -87,11 +87,13 @@ std::vector<std::string> notes_of(const AllAnswers& all, const std::string& best
     notes.push_back(fmt::format(
         "{} {} not counted, because a known answer is singular: there may be infinitely many, or several that coincide.",
         base::counted(std::int64_t{all.continua}, "targets"), all.continua == 1 ? "is" : "are"));
+  const double significance = all.complete->plan.significance;
+  std::string marks;
   if (!best.empty())
-    notes.push_back(
-        fmt::format("* worse than {} (p < {}{}). Brackets: {:.3g} % intervals; after coverage and answers, the range.",
-                    best, number_text(all.complete->plan.significance), all.solvers.size() > 2 ? ", corrected" : "",
-                    100 * (1 - all.complete->plan.significance)));
+    marks = fmt::format("* worse than {} (p < {}{}). ", best, number_text(significance),
+                        all.solvers.size() > 2 ? ", corrected" : "");
+  notes.push_back(fmt::format("{}Brackets: {:.3g} % intervals; after coverage and answers, the range.", marks,
+                              100 * (1 - significance)));
   if (!all.left_out.empty())
     notes.push_back(
         fmt::format("{} {} left out: some of the answers were not counted. `ikbench run` with the store "

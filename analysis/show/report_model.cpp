@@ -130,16 +130,19 @@ Table loop_table(const StudyResults& study, const std::vector<std::string>& solv
 Table imported_table(const StudyResults& study, const std::vector<std::string>& solvers) {
   Table table{.name = "beside",
               .caption = "Times relative to LM on the same machine (not tested)",
-              .columns = {{"solver"}, {"median", "ratio"}, {"95 %", "ratio"}, {"measured"}}};
+              .columns = {{"solver"}, {"median"}, {"95 %"}, {"measured"}}};
   const auto lm = std::ranges::find(study.series, study.imported.local_reference, &results::Series::label);
   if (study.imported.labels.empty() || lm == study.series.end()) return table;
   const double local_seconds = describe_values(solve_times(study, lm->label)).median;
+  const auto as_ratio = [](double ratio) {
+    return ValueCell{.value = ratio, .relative_to_reference = judge::EffectScale::ratio};
+  };
   for (const std::string& solver : solvers) {
     const Descriptives times = describe_values(solve_times(study, solver));
     const bool is_imported = study.imported.has(solver);
     const double unit = is_imported ? study.imported.reference_seconds : local_seconds;
-    table.rows.push_back(
-        {solver, times.median / unit, times.quantile_95 / unit, is_imported ? study.imported.origin : "in this run"});
+    table.rows.push_back({solver, as_ratio(times.median / unit), as_ratio(times.quantile_95 / unit),
+                          is_imported ? study.imported.origin : "in this run"});
   }
   return table;
 }

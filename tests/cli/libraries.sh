@@ -11,6 +11,7 @@ has "$out" "another machine"
 equal "what was solved" "$(sqlite3 panda/store.sqlite 'SELECT group_concat(DISTINCT label) FROM current_solves')" "DLS,ikbench's LM"
 json '[each["verdict"] for each in of["comparisons"] if {"DLS", "EAIK"} == {each["first"], each["second"]} and each["metric"] == "targets solved"] != ["not_tested"]' panda/results.json
 json 'all(each["verdict"] == "not_tested" for each in of["comparisons"] if "EAIK" in (each["first"], each["second"]) and each["metric"].startswith("time"))' panda/results.json
+[[ $out == *1x* && $out != *" ratio"* ]] || fail "ratios of times without their sign: $out"
 grep -q '^EAIK,' panda/tables/beside.csv || fail "no multiples of EAIK"
 succeeds report panda/store.sqlite --beside libraries --out again --figures none
 cmp panda/tables/results.csv again/tables/results.csv || fail "another report of the same"

@@ -54,6 +54,9 @@ TEST_CASE("complete solvers are named, and marks say which are worse", "[answers
         }) == 1);
   CHECK(std::ranges::count_if(
             table.notes, [](const std::string& note) { return contains(note, "2 targets are not counted"); }) == 1);
+  CHECK(std::ranges::count_if(table.notes, [](const std::string& note) {
+          return contains(note, "Brackets: 95 % intervals; after coverage and answers, the range.");
+        }) == 1);
 }
 
 TEST_CASE("a study whose answers were not counted has no table, and says why if solvers gave several", "[answers]") {
@@ -114,6 +117,10 @@ TEST_CASE("the notes of all answers say of how many targets each number is", "[a
   const auto has_note = [&](const std::string& text) {
     return std::ranges::any_of(table.notes, [&](const std::string& note) { return contains(note, text); });
   };
+  study.series.resize(1);  // nobody is worse
+  const Table alone = answers_table(study);
+  CHECK(std::ranges::count_if(alone.notes,
+                              [](const std::string& note) { return note.starts_with("Brackets: 95 %"); }) == 1);
   CHECK(has_note("of answers to all 20 targets, other columns: of the 17 that count"));
   CHECK(has_note("1 target is not counted, because no answer"));
   CHECK(has_note("Only the first 2000 of the 3000 targets"));
