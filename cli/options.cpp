@@ -35,7 +35,7 @@ Option Option::time() const {
     }
     return fmt::format("{} is not a time from 1us to 1000s, such as 5ms", text.substr(0, 100));
   };
-  return {in_cli11->transform(CLI::Validator(in_seconds, ""))};
+  return {in_cli11->transform(CLI::Validator(in_seconds, ""))->type_name("TIME")};
 }
 
 Option Option::number_in(std::pair<double, double> range) const {

@@ -60,7 +60,7 @@ const char* kind_text(Joint joint, bool is_endless) {
 
 std::string joint_table(const Robot& arm) {
   const std::vector<std::string> names = joint_names(arm.description);
-  Rows rows{{"JOINT", "", "from", "to", "", "a [m]", "alpha [deg]", "d [m]", "offset [deg]"}};
+  Rows rows{{"JOINT", "type", "from", "to", "", "a [m]", "alpha [deg]", "d [m]", "offset [deg]"}};
   const bool has_beta = std::ranges::any_of(arm.chain.links(), [](const DhLink& link) { return link.beta != 0; });
   if (has_beta) rows.front().insert(rows.front().begin() + 7, "beta [deg]");
   const bool has_velocities = arm.velocity.size() > 0;

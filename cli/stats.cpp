@@ -176,7 +176,8 @@ void add_stats(const Command& command, Invocation& invocation) {
   for (const char* name : {"--figures", "--style"}) command.option(name).needs("--out");
   command.footer(
       "  ikbench stats results.csv --better smaller\n"
-      "  ikbench stats benchmark.csv --label solver --value error --block target --run seed --better smaller\n"
+      "  ikbench stats benchmark.csv --label solver --value error --block target \\\n"
+      "      --run seed --better smaller\n"
       "  ikbench stats --summaries published.csv --better smaller\n\n"
       "docs/your-own-csv.md has a command for each of eight kinds of table.");
   command.callback([arguments, &invocation] { run_stats(*arguments, invocation); });

@@ -127,7 +127,7 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
     const std::string verdict = verdict_text(claim);
     const bool is_new = std::exchange(last, verdict) != verdict;
     const InReadings& of = claim.in_readings;
-    rows.push_back({is_new ? verdict : "", show::shortened(claim.sentence, 43),
+    rows.push_back({is_new ? verdict : "", claim.sentence,
                     claim.number + (of.all() == 0 ? "" : fmt::format(" ({}/{}/{})", of.hold, of.fail, of.open))});
   }
   text += show::align_columns(rows, 2);
