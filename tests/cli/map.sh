@@ -25,7 +25,7 @@ equal "the command for random targets" "$asked" "ikbench run --robot ur5e --requ
 succeeds ${asked#ikbench } --only LM --figures none --out random
 mkdir -p "my arms"
 cp "$root/tests/data/urdf/ur5e.urdf" "my arms/arm.urdf"
-refused "'my arms/arm.urdf' --tip TIP --require solved=50%" run map --robot "my arms/arm.urdf" --tip TIP --require solved=50%
+refused "'my arms/arm.urdf' --tip tool0 --require solved=50%" run map --robot "my arms/arm.urdf" --tip tool0 --require solved=50%
 refused "step_cm = " run map --robot ur5e --set path.step_cm=0.1 --out fine
 
 succeeds run map --robot ur5e "${coarse[@]}" --shard 1/2 --out one
