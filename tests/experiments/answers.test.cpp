@@ -317,8 +317,8 @@ TEST_CASE("a file that is no table of answers for the study is refused", "[answe
   CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6\n1.5,1,0,0,0,0,0,0\n"), "is not the number of a run"));
   CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6,ms\n1,1,0,0,0,0,0,0,0\n"), "is not a time"));
   CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6\n1,1,0,0,inf,0,0,0\n"), "is infinite; expected the value"));
-  CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6\n1,1,0,0,none,0,0,0\n"),
-                 "'none' in column 'q3' is not a number; leave out the row of a target without an answer"));
+  CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6\n1,1,0,0,abc,0,0,0\n"),
+                 "'abc' in column 'q3' is not a number; leave out the row of a target without an answer"));
   CHECK(contains(refusal("run,point,q1 [rad],q2,q3,q4,q5,q6\n1,1,0,0,0,0,0,0\n"),
                  "no column 'q1', but 'q1 [rad]'; expected the header 'q1' without a unit"));
   CHECK(contains(refusal("run,point,q1,q2,q3,q4,q5,q6,ms [ms]\n1,1,0,0,0,0,0,0,1\n"), "no column 'ms', but 'ms [ms]'"));
